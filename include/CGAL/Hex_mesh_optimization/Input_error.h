@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
+
+// The exception that refuses an unusable mesh or reference surface, naming the
+// first element at fault.
+
+#include <CGAL/exceptions.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/*!
+ * Thrown before anything is moved when a mesh, a reference surface or a
+ * parameter cannot be used. `what()` and `message()` name the element.
+ */
+class Input_error : public CGAL::Precondition_exception
+{
+public:
+  /// The kind of the element at fault; `element_index()` counts in the order of the input.
+  enum class Element { MESH, VERTEX, HEXAHEDRON, REFERENCE_VERTEX, REFERENCE_FACE, PARAMETER };
+
+  Input_error(Element element, std::size_t index, const std::string& message)
+    : CGAL::Precondition_exception("CGAL", "valid input", "", 0, message)
+    , element_(element)
+    , index_(index)
+  {}
+
+  Element element() const { return element_; }
+  std::size_t element_index() const { return index_; }
+
+private:
+  Element element_;
+  std::size_t index_;
+};
+
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
