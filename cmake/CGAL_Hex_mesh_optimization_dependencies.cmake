@@ -1,0 +1,32 @@
+# Finds what the headers need and attaches the optional part of it to the target.
+# The project's own build and an installed package both include this file, so
+# that a program is always compiled with what its own machine offers.
+
+include(CMakeFindDependencyMacro)
+
+find_dependency(CGAL 5.5)
+find_dependency(Eigen3 3.3)
+find_dependency(Boost)
+
+option(CGAL_HEX_MESH_OPTIMIZATION_WITH_TBB "Run in several threads with TBB where it is found" ON)
+option(CGAL_HEX_MESH_OPTIMIZATION_WITH_ZLIB "Read compressed .vtu files with zlib where it is found" ON)
+mark_as_advanced(CGAL_HEX_MESH_OPTIMIZATION_WITH_TBB CGAL_HEX_MESH_OPTIMIZATION_WITH_ZLIB)
+
+if(CGAL_HEX_MESH_OPTIMIZATION_WITH_TBB)
+  find_package(TBB QUIET)
+  include(CGAL_TBB_support)
+endif()
+if(CGAL_HEX_MESH_OPTIMIZATION_WITH_ZLIB)
+  find_package(ZLIB QUIET)
+endif()
+
+function(cgal_hex_mesh_optimization_link_optional target)
+  if(CGAL_HEX_MESH_OPTIMIZATION_WITH_TBB AND TARGET CGAL::TBB_support)
+    target_link_libraries(${target} INTERFACE $<BUILD_INTERFACE:CGAL::TBB_support>)
+  endif()
+  if(CGAL_HEX_MESH_OPTIMIZATION_WITH_ZLIB AND TARGET ZLIB::ZLIB)
+    target_link_libraries(${target} INTERFACE $<BUILD_INTERFACE:ZLIB::ZLIB>)
+    target_compile_definitions(${target} INTERFACE
+      $<BUILD_INTERFACE:CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB=1>)
+  endif()
+endfunction()
