@@ -5,7 +5,8 @@
 include(CMakeFindDependencyMacro)
 
 find_dependency(CGAL 5.5)
-find_dependency(Eigen3 3.3)
+# CONFIG: the FindEigen3 module that CGAL puts on the path defines no target on a second run
+find_dependency(Eigen3 CONFIG)
 find_dependency(Boost)
 
 option(CGAL_HEX_MESH_OPTIMIZATION_WITH_TBB "Run in several threads with TBB where it is found" ON)
