@@ -1,0 +1,471 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_VALIDITY_H
+#define CGAL_HEX_MESH_OPTIMIZATION_VALIDITY_H
+
+// The certificate that a hexahedron is valid: a proof, for the coordinates as
+// given, that its trilinear map has a positive Jacobian determinant everywhere.
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/number_utils.h>
+#ifndef CGAL_HAS_MPZF
+#include <CGAL/MP_Float.h>
+#endif
+
+#include <CGAL/Hex_mesh_optimization/internal/hexahedron_coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/// \ingroup PkgHexMeshOptimizationRef
+/// The answer of `hexahedron_validity()`.
+enum class Validity
+{
+  VALID,    ///< The Jacobian determinant is positive everywhere in the hexahedron: proven.
+  INVALID,  ///< The Jacobian determinant is zero or negative somewhere: proven.
+  UNDECIDED ///< Neither was proven within the limit on the subdivision.
+};
+
+namespace internal {
+
+constexpr int default_maximum_depth = 20;
+
+// Bounds the time spent on a determinant that vanishes on a whole surface, where
+// the number of cells grows by a factor of four from each depth to the next.
+constexpr int maximum_number_of_splits = 20000;
+
+// Numbers with a sum, a difference and a product without rounding, and with doubles among them.
+#ifdef CGAL_HAS_MPZF
+using Exact_number = CGAL::Mpzf;
+#else
+using Exact_number = CGAL::MP_Float;
+#endif
+
+// The determinant of the Jacobian matrix of a trilinear map is a polynomial of
+// degree 2 in each of the three parameters. It has 27 Bernstein-Bezier
+// coefficients; coefficient (a, b, c) is stored at a + 3 * b + 9 * c. Over the unit
+// cube the coefficients bound the polynomial from both sides, and the eight
+// at the corners are its values there.
+template <class NT>
+using Bezier_coefficients = std::array<NT, 27>;
+
+constexpr int bezier_corners[8] = {0, 2, 6, 8, 18, 20, 24, 26};
+
+// With the linear Bernstein polynomials B_0(t) = 1 - t and B_1(t) = t, the columns of the
+// Jacobian matrix are
+//   U(v, w) = sum_{j,k} B_j(v) B_k(w) u_jk,  V(u, w) = sum_{i,m} B_i(u) B_m(w) v_im,
+//   W(u, v) = sum_{n,l} B_n(u) B_l(v) w_nl
+// with the edge vectors u_jk, v_im, w_nl. As B_0 B_0, B_0 B_1, B_1 B_1 are 1, 1/2, 1 times the
+// quadratic Bernstein polynomials 0, 1, 2, the coefficient (a, b, c) of det(U, V, W) is the
+// average of det(u_jk, v_im, w_nl) over i + n = a, j + l = b, k + m = c.
+// First the cross products are averaged over k + m = c, for each i and j.
+template <class NT>
+Bezier_coefficients<NT> jacobian_coefficients(const Edge_vectors<NT>& edges)
+{
+  const NT half(.5);
+  Coordinates<NT> normal[2][2][3]; // i, j, c
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+    {
+      normal[i][j][0] = cross_product(edges.u[j], edges.v[i]);
+      normal[i][j][2] = cross_product(edges.u[j + 2], edges.v[i + 2]);
+      const Coordinates<NT> s = cross_product(edges.u[j], edges.v[i + 2]);
+      const Coordinates<NT> t = cross_product(edges.u[j + 2], edges.v[i]);
+      for (int x = 0; x < 3; ++x)
+        normal[i][j][1][x] = half * (s[x] + t[x]);
+    }
+
+  Bezier_coefficients<NT> result;
+  for (int c = 0; c < 3; ++c)
+  {
+    auto det = [&](int i, int j, int n, int l)
+    { return scalar_product(normal[i][j][c], edges.w[n + 2 * l]); };
+    NT* const b = result.data() + 9 * c;
+    b[0] = det(0, 0, 0, 0);
+    b[1] = half * (det(0, 0, 1, 0) + det(1, 0, 0, 0));
+    b[2] = det(1, 0, 1, 0);
+    b[3] = half * (det(0, 0, 0, 1) + det(0, 1, 0, 0));
+    b[4] = half * (half * ((det(0, 0, 1, 1) + det(1, 1, 0, 0)) + (det(0, 1, 1, 0) + det(1, 0, 0, 1))));
+    b[5] = half * (det(1, 0, 1, 1) + det(1, 1, 1, 0));
+    b[6] = det(0, 1, 0, 1);
+    b[7] = half * (det(0, 1, 1, 1) + det(1, 1, 0, 1));
+    b[8] = det(1, 1, 1, 1);
+  }
+  return result;
+}
+
+// The coefficients over the eight halves of halves of halves, by de Casteljau's algorithm.
+template <class NT>
+std::array<Bezier_coefficients<NT>, 8> split(const Bezier_coefficients<NT>& coefficients)
+{
+  const NT half(.5);
+  std::array<Bezier_coefficients<NT>, 8> cells;
+  cells[0] = coefficients;
+  int count = 1;
+  for (int stride : {1, 3, 9})
+  {
+    for (int cell = 0; cell < count; ++cell)
+    {
+      Bezier_coefficients<NT>& lower = cells[cell];
+      Bezier_coefficients<NT>& upper = cells[cell + count];
+      for (int first = 0; first < 27; ++first)
+      {
+        if (first / stride % 3 != 0)
+          continue;
+        const int middle = first + stride, last = middle + stride;
+        const NT s = half * (lower[first] + lower[middle]);
+        const NT t = half * (lower[middle] + lower[last]);
+        upper[last] = lower[last];
+        upper[middle] = t;
+        upper[first] = lower[last] = half * (s + t);
+        lower[middle] = s;
+      }
+    }
+    count *= 2;
+  }
+  return cells;
+}
+
+// Decides from the coefficients. `sign(x, depth)` is 1 where the number computed as x at this
+// depth of the subdivision is certainly positive, -1 where it is certainly not, and 0 otherwise.
+template <class NT, class Sign>
+class Subdivision
+{
+public:
+  Subdivision(const Sign& sign, int maximum_depth)
+    : sign_(sign)
+    , maximum_depth_(maximum_depth)
+  {}
+
+  Validity operator()(const Bezier_coefficients<NT>& coefficients)
+  {
+    bool hopeless;
+    const Validity validity = classify(coefficients, 0, hopeless);
+    return validity != Validity::UNDECIDED || hopeless ? validity : subdivide(coefficients, 0);
+  }
+
+private:
+  // `hopeless`: no subdivision can prove more, a value at a corner stays uncertain.
+  Validity classify(const Bezier_coefficients<NT>& b, int depth, bool& hopeless) const
+  {
+    hopeless = false;
+    for (int corner : bezier_corners)
+    {
+      const int s = sign_(b[corner], depth);
+      if (s < 0)
+        return Validity::INVALID;
+      hopeless = hopeless || s == 0;
+    }
+    const bool positive = std::all_of(b.begin(), b.end(), [&](const NT& x) { return sign_(x, depth) > 0; });
+    return positive ? Validity::VALID : Validity::UNDECIDED;
+  }
+
+  Validity subdivide(const Bezier_coefficients<NT>& coefficients, int depth)
+  {
+    if (depth >= maximum_depth_ || ++number_of_splits_ > maximum_number_of_splits)
+      return Validity::UNDECIDED;
+    const std::array<Bezier_coefficients<NT>, 8> cells = split(coefficients);
+
+    Validity result = Validity::VALID;
+    std::array<std::pair<double, int>, 8> open;
+    auto end = open.begin();
+    for (int cell = 0; cell < 8; ++cell)
+    {
+      bool hopeless;
+      const Validity validity = classify(cells[cell], depth + 1, hopeless);
+      if (validity == Validity::INVALID)
+        return validity;
+      if (validity == Validity::VALID)
+        continue;
+      if (hopeless)
+        result = Validity::UNDECIDED;
+      else
+        *end++ = {CGAL::to_double(*std::min_element(cells[cell].begin(), cells[cell].end(), smaller)), cell};
+    }
+    while (end != open.begin())
+    {
+      // the most suspicious cell first: a negative value is then found soon
+      std::iter_swap(std::min_element(open.begin(), end), end - 1);
+      --end;
+      const Validity validity = subdivide(cells[end->second], depth + 1);
+      if (validity == Validity::INVALID)
+        return validity;
+      if (validity == Validity::UNDECIDED)
+        result = validity;
+    }
+    return result;
+  }
+
+  // only orders the cells, so that an approximation will do
+  static bool smaller(const NT& x, const NT& y) { return CGAL::to_double(x) < CGAL::to_double(y); }
+
+  Sign sign_;
+  int maximum_depth_;
+  int number_of_splits_ = 0;
+};
+
+// Tier 1: doubles with a bound of the error.
+//
+// Let A, B, C be the largest absolute values of a component of the edge vectors along u, v, w, and
+// e = 2^-53. A determinant of three of them has six terms of at most A B C; a coefficient is an average
+// of such determinants. Each term that enters the computed value has passed through at most 11 rounded
+// operations: three differences of coordinates, product and sum of a cross product, the sum over
+// k + m = c, product and two sums of a scalar product, two sums over i + n = a and j + l = b (halving
+// is exact). So the error is at most 6 A B C ((1 + e)^11 - 1) < 67 e A B C. A fused multiply-add only
+// leaves a rounding out.
+// One depth of the subdivision takes two averages in each of the three directions. An average does not
+// enlarge the errors of its arguments, and adds one rounding of a number of at most 6 A B C:
+// 36 e A B C for a depth.
+// The factors 128 and 40 have room for the rounding of A B C itself, for (1 + e) to small powers, and
+// for underflow: with A, B, C within 2^-300 and 2^300 an underflow moves a product of two components by
+// 2^-1075 at the most, e times which is far below e A B / 2^400.
+struct Sign_of_rounded
+{
+  double unit; // e A B C
+
+  int operator()(double x, int depth) const
+  {
+    const double bound = (128 + 40 * depth) * unit;
+    return x > bound ? 1 : x < -bound ? -1 : 0;
+  }
+};
+
+// Tier 2: intervals.
+struct Sign_of_interval
+{
+  int operator()(const CGAL::Interval_nt<false>& x, int) const
+  {
+    return x.inf() > 0 ? 1 : x.sup() <= 0 ? -1 : 0;
+  }
+};
+
+// Tier 3: exact numbers.
+struct Sign_of_exact
+{
+  template <class NT>
+  int operator()(const NT& x, int) const
+  {
+    return CGAL::is_positive(x) ? 1 : -1;
+  }
+};
+
+// The edges along each direction may be scaled by a positive factor without changing a sign. These are
+// the factors, powers of two, that bring the largest component of each direction into [2^-300, 2^300].
+struct Scaling
+{
+  std::array<double, 3> largest; // after the scaling
+  std::array<double, 3> factor;
+
+  explicit Scaling(const Edge_vectors<double>& edges)
+    : largest{{maximum(edges.u), maximum(edges.v), maximum(edges.w)}}
+    , factor{{1, 1, 1}}
+  {
+    for (int d = 0; d < 3; ++d)
+      if (!in_range(largest[d]) && largest[d] > 0 && std::isfinite(largest[d]))
+      {
+        // the factor for a denormal number must remain finite
+        factor[d] = std::ldexp(1., -(std::max)(std::ilogb(largest[d]), -1000));
+        largest[d] *= factor[d];
+      }
+  }
+
+  bool applies() const { return in_range(largest[0]) && in_range(largest[1]) && in_range(largest[2]); }
+
+  template <class NT>
+  void operator()(Edge_vectors<NT>& edges) const
+  {
+    if (factor[0] == 1 && factor[1] == 1 && factor[2] == 1)
+      return;
+    int d = 0;
+    for (auto* direction : {&edges.u, &edges.v, &edges.w})
+    {
+      for (Coordinates<NT>& e : *direction)
+        for (NT& x : e)
+          x = x * NT(factor[d]);
+      ++d;
+    }
+  }
+
+private:
+  static double maximum(const std::array<Coordinates<double>, 4>& edges)
+  {
+    double result = 0;
+    for (const Coordinates<double>& e : edges)
+      for (double x : e)
+        result = (std::max)(result, std::abs(x));
+    return result;
+  }
+
+  static bool in_range(double x)
+  {
+    return x > 0x1p-300 && x < 0x1p300;
+  }
+};
+
+template <class NT>
+Edge_vectors<NT> edge_vectors_of_type(const Hexahedron_coordinates& x)
+{
+  std::array<Coordinates<NT>, 8> y;
+  for (int i = 0; i < 8; ++i)
+    y[i] = {{NT(x[i][0]), NT(x[i][1]), NT(x[i][2])}};
+  return Edge_vectors<NT>(y);
+}
+
+inline Validity rounded_validity(Edge_vectors<double> edges, const Scaling& scaling, int maximum_depth)
+{
+  scaling(edges);
+  const double unit = 0x1p-53 * scaling.largest[0] * scaling.largest[1] * scaling.largest[2];
+  return Subdivision<double, Sign_of_rounded>(Sign_of_rounded{unit}, maximum_depth)(jacobian_coefficients(edges));
+}
+
+inline Validity interval_validity(const Hexahedron_coordinates& x, const Scaling& scaling, int maximum_depth)
+{
+  using Interval = CGAL::Interval_nt<false>;
+  Interval::Protector upward_rounding;
+  Edge_vectors<Interval> edges = edge_vectors_of_type<Interval>(x);
+  scaling(edges);
+  return Subdivision<Interval, Sign_of_interval>(Sign_of_interval(), maximum_depth)(jacobian_coefficients(edges));
+}
+
+template <class NT>
+Validity exact_validity(const Hexahedron_coordinates& x, int maximum_depth)
+{
+  return Subdivision<NT, Sign_of_exact>(Sign_of_exact(), maximum_depth)
+    (jacobian_coefficients(edge_vectors_of_type<NT>(x)));
+}
+
+inline Validity hexahedron_validity(const Hexahedron_coordinates& x, int maximum_depth = default_maximum_depth)
+{
+  const Edge_vectors<double> edges(x);
+  const Scaling scaling(edges);
+  if (scaling.applies())
+  {
+    const Validity validity = rounded_validity(edges, scaling, maximum_depth);
+    if (validity != Validity::UNDECIDED)
+      return validity;
+  }
+  for (const Coordinates<double>& p : x)
+    for (double c : p)
+      if (!std::isfinite(c))
+        return Validity::INVALID;
+  // where all edges of one direction vanish, so does the determinant
+  if (scaling.largest[0] == 0 || scaling.largest[1] == 0 || scaling.largest[2] == 0)
+    return Validity::INVALID;
+  if (scaling.applies())
+  {
+    const Validity validity = interval_validity(x, scaling, maximum_depth);
+    if (validity != Validity::UNDECIDED)
+      return validity;
+  }
+  return exact_validity<Exact_number>(x, maximum_depth);
+}
+
+} // namespace internal
+
+/// \ingroup PkgHexMeshOptimizationRef
+/// @{
+
+/*!
+ * decides whether a hexahedron is valid: whether the Jacobian determinant of the trilinear map from the unit
+ * cube that takes the corners to the given points is positive everywhere on the closed cube.
+ *
+ * The answers `Validity::VALID` and `Validity::INVALID` are proofs for the given coordinates, as `double`s: no rounding error
+ * can falsify them. A hexahedron with a coordinate that is not finite is invalid, and so is one
+ * with a determinant that reaches zero at a corner.
+ *
+ * The determinant is written in the Bernstein-B&eacute;zier basis, as proposed by Johnen, Weill and Remacle
+ * (<em>Robust and efficient validation of the linear hexahedral element</em>, 2017). It has 27 coefficients, averages of the
+ * determinants of three edge vectors. If they are all positive the hexahedron is valid; if one at a corner is not, it is
+ * invalid; in between, the cube is subdivided. This is done with `double`s and a bound of their error,
+ * then with intervals, and finally with exact numbers, each only where the one before could not decide.
+ *
+ * Almost every hexahedron of a mesh takes well below a microsecond. A determinant that
+ * touches zero inside without becoming negative can only be decided where the zero is at a corner of a cell of the
+ * subdivision; otherwise the answer is `Validity::UNDECIDED`.
+ *
+ * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
+ *
+ * \param p0,p1,p2,p3,p4,p5,p6,p7 the corners: `p0` to `p3` around the bottom, counter-clockwise when seen from inside
+ *        the hexahedron, and `p4` to `p7` above them
+ * \param maximum_depth how often the cube is halved, in all directions, at the most; the total number of cells is bounded as well
+ *
+ * The compiler must follow IEEE 754: no option `-ffast-math`.
+ */
+template <class Point>
+Validity hexahedron_validity(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
+                             const Point& p4, const Point& p5, const Point& p6, const Point& p7,
+                             int maximum_depth = internal::default_maximum_depth)
+{
+  return internal::hexahedron_validity(internal::hexahedron_coordinates(p0, p1, p2, p3, p4, p5, p6, p7),
+                                       maximum_depth);
+}
+
+/*!
+ * decides whether the hexahedron with the eight corners `p[0]`, ..., `p[7]` is valid.
+ *
+ * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ */
+template <class PointRange>
+Validity hexahedron_validity(const PointRange& p, int maximum_depth = internal::default_maximum_depth)
+{
+  return internal::hexahedron_validity(internal::hexahedron_coordinates(p), maximum_depth);
+}
+
+/*!
+ * returns whether a hexahedron is proven valid, that is, whether `hexahedron_validity()` is `Validity::VALID`.
+ *
+ * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
+ */
+template <class Point>
+bool is_valid_hexahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
+                         const Point& p4, const Point& p5, const Point& p6, const Point& p7)
+{
+  return hexahedron_validity(p0, p1, p2, p3, p4, p5, p6, p7) == Validity::VALID;
+}
+
+/*!
+ * returns whether the hexahedron with the eight corners `p[0]`, ..., `p[7]` is proven valid.
+ *
+ * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ */
+template <class PointRange>
+bool is_valid_hexahedron(const PointRange& p)
+{
+  return hexahedron_validity(p) == Validity::VALID;
+}
+
+/*!
+ * writes the indices of the hexahedra of a mesh that are not proven valid, in increasing order.
+ *
+ * \tparam PointRange a model of `RandomAccessContainer` with value type a model of `Kernel::Point_3`
+ * \tparam HexahedronRange a range of ranges of eight indices into the points each
+ * \tparam OutputIterator a model of `OutputIterator` to which `std::size_t` can be assigned
+ *
+ * \returns the past-the-end iterator
+ */
+template <class PointRange, class HexahedronRange, class OutputIterator>
+OutputIterator invalid_hexahedra(const PointRange& points, const HexahedronRange& hexahedra, OutputIterator out)
+{
+  std::size_t index = 0;
+  for (const auto& hexahedron : hexahedra)
+  {
+    if (internal::hexahedron_validity(internal::hexahedron_coordinates(points, hexahedron)) != Validity::VALID)
+      *out++ = index;
+    ++index;
+  }
+  return out;
+}
+
+/// @}
+
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_VALIDITY_H
