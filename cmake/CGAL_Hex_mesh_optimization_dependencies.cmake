@@ -4,7 +4,13 @@
 
 include(CMakeFindDependencyMacro)
 
-find_dependency(CGAL 5.5)
+# The version is checked afterwards: the top folder of an unpacked CGAL has no
+# version file, and CMake would silently pass over it for one that has.
+find_dependency(CGAL)
+if(DEFINED CGAL_MAJOR_VERSION AND "${CGAL_MAJOR_VERSION}.${CGAL_MINOR_VERSION}" VERSION_LESS 5.5)
+  message(FATAL_ERROR "Hex_mesh_optimization needs CGAL 5.5 or newer; this is "
+                      "${CGAL_MAJOR_VERSION}.${CGAL_MINOR_VERSION} (${CGAL_DIR})")
+endif()
 # CONFIG: the FindEigen3 module that CGAL puts on the path defines no target on a second run
 find_dependency(Eigen3 CONFIG)
 find_dependency(Boost)
