@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -145,24 +146,27 @@ public:
     , maximum_depth_(maximum_depth)
   {}
 
-  Validity operator()(const Bezier_coefficients<NT>& coefficients)
+  // No answer: numbers of this type are not precise enough.
+  std::optional<Validity> operator()(const Bezier_coefficients<NT>& coefficients)
   {
-    bool hopeless;
-    const Validity validity = classify(coefficients, 0, hopeless);
-    return validity != Validity::UNDECIDED || hopeless ? validity : subdivide(coefficients, 0);
+    Validity result = classify(coefficients, 0);
+    if (result == Validity::UNDECIDED && !imprecise_)
+      result = subdivide(coefficients, 0);
+    if (imprecise_ && result != Validity::INVALID)
+      return std::nullopt;
+    return result;
   }
 
 private:
-  // `hopeless`: no subdivision can prove more, a value at a corner stays uncertain.
-  Validity classify(const Bezier_coefficients<NT>& b, int depth, bool& hopeless) const
+  Validity classify(const Bezier_coefficients<NT>& b, int depth)
   {
-    hopeless = false;
     for (int corner : bezier_corners)
     {
       const int s = sign_(b[corner], depth);
       if (s < 0)
         return Validity::INVALID;
-      hopeless = hopeless || s == 0;
+      if (s == 0)
+        imprecise_ = true; // and no subdivision changes this value
     }
     const bool positive = std::all_of(b.begin(), b.end(), [&](const NT& x) { return sign_(x, depth) > 0; });
     return positive ? Validity::VALID : Validity::UNDECIDED;
@@ -170,27 +174,29 @@ private:
 
   Validity subdivide(const Bezier_coefficients<NT>& coefficients, int depth)
   {
-    if (depth >= maximum_depth_ || ++number_of_splits_ > maximum_number_of_splits)
+    if (depth >= maximum_depth_ || number_of_splits_ == maximum_number_of_splits)
+    {
+      // it is the limit that prevents the proof only where more precise numbers would not give it
+      if (std::none_of(coefficients.begin(), coefficients.end(), [&](const NT& x) { return sign_(x, depth) < 0; }))
+        imprecise_ = true;
       return Validity::UNDECIDED;
-    const std::array<Bezier_coefficients<NT>, 8> cells = split(coefficients);
+    }
+    ++number_of_splits_;
 
-    Validity result = Validity::VALID;
+    const std::array<Bezier_coefficients<NT>, 8> cells = split(coefficients);
     std::array<std::pair<double, int>, 8> open;
     auto end = open.begin();
     for (int cell = 0; cell < 8; ++cell)
     {
-      bool hopeless;
-      const Validity validity = classify(cells[cell], depth + 1, hopeless);
+      const Validity validity = classify(cells[cell], depth + 1);
       if (validity == Validity::INVALID)
         return validity;
-      if (validity == Validity::VALID)
-        continue;
-      if (hopeless)
-        result = Validity::UNDECIDED;
-      else
+      if (validity == Validity::UNDECIDED)
         *end++ = {CGAL::to_double(*std::min_element(cells[cell].begin(), cells[cell].end(), smaller)), cell};
     }
-    while (end != open.begin())
+
+    Validity result = Validity::VALID;
+    while (end != open.begin() && !imprecise_)
     {
       // the most suspicious cell first: a negative value is then found soon
       std::iter_swap(std::min_element(open.begin(), end), end - 1);
@@ -210,6 +216,7 @@ private:
   Sign sign_;
   int maximum_depth_;
   int number_of_splits_ = 0;
+  bool imprecise_ = false;
 };
 
 // Tier 1: doubles with a bound of the error.
@@ -224,16 +231,17 @@ private:
 // One depth of the subdivision takes two averages in each of the three directions. An average does not
 // enlarge the errors of its arguments, and adds one rounding of a number of at most 6 A B C:
 // 36 e A B C for a depth.
-// The factors 128 and 40 have room for the rounding of A B C itself, for (1 + e) to small powers, and
-// for underflow: with A, B, C within 2^-300 and 2^300 an underflow moves a product of two components by
-// 2^-1075 at the most, e times which is far below e A B / 2^400.
+// The factors 256 and 80 have room for the double error of rounding modes other than to nearest, for the
+// rounding of A B C itself, and for underflow: with A, B, C within 2^-300 and 2^300, an underflow moves a
+// product of two components by at most 2^-1074, far below e A B >= 2^-653, and a product of three by
+// as much, far below e A B C >= 2^-953.
 struct Sign_of_rounded
 {
   double unit; // e A B C
 
   int operator()(double x, int depth) const
   {
-    const double bound = (128 + 40 * depth) * unit;
+    const double bound = (256 + 80 * depth) * unit;
     return x > bound ? 1 : x < -bound ? -1 : 0;
   }
 };
@@ -319,14 +327,16 @@ Edge_vectors<NT> edge_vectors_of_type(const Hexahedron_coordinates& x)
   return Edge_vectors<NT>(y);
 }
 
-inline Validity rounded_validity(Edge_vectors<double> edges, const Scaling& scaling, int maximum_depth)
+inline std::optional<Validity> rounded_validity(Edge_vectors<double> edges, const Scaling& scaling,
+                                                int maximum_depth)
 {
   scaling(edges);
   const double unit = 0x1p-53 * scaling.largest[0] * scaling.largest[1] * scaling.largest[2];
   return Subdivision<double, Sign_of_rounded>(Sign_of_rounded{unit}, maximum_depth)(jacobian_coefficients(edges));
 }
 
-inline Validity interval_validity(const Hexahedron_coordinates& x, const Scaling& scaling, int maximum_depth)
+inline std::optional<Validity> interval_validity(const Hexahedron_coordinates& x, const Scaling& scaling,
+                                                 int maximum_depth)
 {
   using Interval = CGAL::Interval_nt<false>;
   Interval::Protector upward_rounding;
@@ -338,7 +348,7 @@ inline Validity interval_validity(const Hexahedron_coordinates& x, const Scaling
 template <class NT>
 Validity exact_validity(const Hexahedron_coordinates& x, int maximum_depth)
 {
-  return Subdivision<NT, Sign_of_exact>(Sign_of_exact(), maximum_depth)
+  return *Subdivision<NT, Sign_of_exact>(Sign_of_exact(), maximum_depth)
     (jacobian_coefficients(edge_vectors_of_type<NT>(x)));
 }
 
@@ -347,11 +357,8 @@ inline Validity hexahedron_validity(const Hexahedron_coordinates& x, int maximum
   const Edge_vectors<double> edges(x);
   const Scaling scaling(edges);
   if (scaling.applies())
-  {
-    const Validity validity = rounded_validity(edges, scaling, maximum_depth);
-    if (validity != Validity::UNDECIDED)
-      return validity;
-  }
+    if (const auto validity = rounded_validity(edges, scaling, maximum_depth))
+      return *validity;
   for (const Coordinates<double>& p : x)
     for (double c : p)
       if (!std::isfinite(c))
@@ -360,11 +367,8 @@ inline Validity hexahedron_validity(const Hexahedron_coordinates& x, int maximum
   if (scaling.largest[0] == 0 || scaling.largest[1] == 0 || scaling.largest[2] == 0)
     return Validity::INVALID;
   if (scaling.applies())
-  {
-    const Validity validity = interval_validity(x, scaling, maximum_depth);
-    if (validity != Validity::UNDECIDED)
-      return validity;
-  }
+    if (const auto validity = interval_validity(x, scaling, maximum_depth))
+      return *validity;
   return exact_validity<Exact_number>(x, maximum_depth);
 }
 
