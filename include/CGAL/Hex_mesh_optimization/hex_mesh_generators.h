@@ -199,9 +199,13 @@ inline double graded_fraction(int i, int n, double grading)
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * The box [0,sizes[0]] x [0,sizes[1]] x [0,sizes[2]], of
+ * generates a box [0,sizes[0]] x [0,sizes[1]] x [0,sizes[2]] of
  * cells[0] x cells[1] x cells[2] hexahedra.
  *
+ * \param points the vertices
+ * \param hexahedra the indices of the 8 vertices of each hexahedron
+ * \param cells the numbers of hexahedra along the three axes
+ * \param sizes the lengths of the box along the three axes
  * \param gradings the length of the last cell over that of the first, for each
  *        axis: cells grow geometrically, as toward the wall of a boundary layer
  */
@@ -233,7 +237,7 @@ void make_block(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * A bar of square section, swept along an arc of the given length that turns by
+ * generates a bar of square section, swept along an arc of the given length that turns by
  * `bend`, its section turning by `twist` on the way: along x at first, bent
  * toward z. It has `n_along` x `n_across` x `n_across` hexahedra.
  *
@@ -275,7 +279,7 @@ void make_bent_bar(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * A cylinder around the z axis as an O-grid: a core of n x n columns, and
+ * generates a cylinder around the z axis as an O-grid: a core of n x n columns, and
  * `n` / 2 (at least one) rings around it; `n_along` cells high. It has
  * n_along * (n * n + 4 * n * rings) hexahedra.
  */
@@ -305,7 +309,7 @@ void make_cylinder(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * A ball around the origin as an O-grid: a core of n x n x n hexahedra and
+ * generates a ball around the origin as an O-grid: a core of n x n x n hexahedra and
  * `n` / 2 (at least one) shells of 6 n x n around it.
  */
 template <class PointRange>
@@ -361,7 +365,7 @@ void make_ball(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * A square plate [-size/2,size/2]^2 x [0,thickness] with a round hole through
+ * generates a square plate [-size/2,size/2]^2 x [0,thickness] with a round hole through
  * its centre: n rings of 4 n cells around the hole, `n_through` cells thick.
  * `Input_error` is also thrown if the hole does not fit in the plate.
  */
@@ -395,7 +399,7 @@ void make_plate_with_hole(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * An L of three cubes of edge length `size`, each of n x n x n hexahedra, with
+ * generates an L of three cubes of edge length `size`, each of n x n x n hexahedra, with
  * a reentrant sharp edge.
  */
 template <class PointRange>
@@ -419,7 +423,7 @@ void make_l_shape(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * A T of four cubes of edge length `size`, each of n x n x n hexahedra: a stem
+ * generates a T of four cubes of edge length `size`, each of n x n x n hexahedra: a stem
  * under the middle of a bar of three, with two reentrant sharp edges.
  */
 template <class PointRange>
@@ -443,7 +447,7 @@ void make_t_shape(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * A closed ring of rectangular section around the z axis, of genus 1, with
+ * generates a closed ring of rectangular section around the z axis, of genus 1, with
  * `n_around` (at least 3) x `n_across` x `n_across` hexahedra.
  */
 template <class PointRange>
