@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_H
+
+// Reads and writes hexahedral meshes, as indices or as a linear cell complex,
+// in the format that the extension of the file name tells.
+
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/medit.h>
+#include <CGAL/Hex_mesh_optimization/IO/vtk.h>
+#include <CGAL/Hex_mesh_optimization/IO/vtu.h>
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
+#include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+template <class Type, class = void>
+struct Is_linear_cell_complex : std::false_type {};
+
+template <class Type>
+struct Is_linear_cell_complex<Type, std::void_t<typename Type::Vertex_attribute_range, typename Type::Dart_range>>
+  : std::true_type {};
+
+template <class Type>
+using Linear_cell_complex_only = std::enable_if_t<Is_linear_cell_complex<Type>::value, int>;
+
+template <class Type>
+using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::value, int>;
+
+[[noreturn]] inline void refuse_extension(const std::string& filename)
+{
+  throw Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * reads a hexahedral mesh in the format told by the extension of the file name, in upper or lower case:
+ * `.mesh` (`read_medit_hex_mesh()`), `.vtk` (`read_vtk_hex_mesh()`) or `.vtu` (`read_vtu_hex_mesh()`).
+ *
+ * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
+ *         three `double`
+ * \tparam HexahedronRange a model of `BackInsertionSequence` with `reserve()` whose value type is a random access
+ *         container of indices of an integral type, either an array of size 8 or resizable
+ *
+ * \param filename the name of the file
+ * \param points all points of the file in its order, replaced
+ * \param hexahedra the hexahedra of the file in its order, replaced
+ * \param attachments what else is in a Medit file, replaced
+ *
+ * \throws Hex_mesh_file_error naming the line if the file cannot be read; the parameters are unchanged then
+ */
+template <class PointRange, class HexahedronRange, internal::No_linear_cell_complex<PointRange> = 0>
+void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
+                   Hex_mesh_attachments& attachments)
+{
+  const std::string extension = internal::extension_of(filename);
+  if(extension == "mesh")
+    return read_medit_hex_mesh(filename, points, hexahedra, attachments);
+  if(extension == "vtk")
+    read_vtk_hex_mesh(filename, points, hexahedra);
+  else if(extension == "vtu")
+    read_vtu_hex_mesh(filename, points, hexahedra);
+  else
+    internal::refuse_extension(filename);
+  attachments = Hex_mesh_attachments();
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * reads a hexahedral mesh as above, without attachments.
+ */
+template <class PointRange, class HexahedronRange, internal::No_linear_cell_complex<PointRange> = 0>
+void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
+{
+  Hex_mesh_attachments ignored;
+  read_hex_mesh(filename, points, hexahedra, ignored);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * reads a hexahedral mesh as above into a linear cell complex, by
+ * `Hex_mesh_optimization::hexahedra_to_linear_cell_complex()`.
+ *
+ * \tparam LCC an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
+ *         `Linear_cell_complex_for_generalized_map<3,3,...>`
+ *
+ * \param filename the name of the file
+ * \param lcc the linear cell complex, cleared first
+ * \param attachments what else is in a Medit file, replaced
+ *
+ * \throws Hex_mesh_file_error if the file cannot be read, or if a linear cell complex cannot carry
+ *         the mesh, naming the hexahedron. `lcc` is unchanged then.
+ */
+template <class LCC, internal::Linear_cell_complex_only<LCC> = 0>
+void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& attachments)
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  Hex_mesh_attachments read_attachments;
+  read_hex_mesh(filename, points, hexahedra, read_attachments);
+  LCC result;
+  try
+  {
+    Hex_mesh_optimization::hexahedra_to_linear_cell_complex(points, hexahedra, result);
+  }
+  catch(const Hex_mesh_optimization::Input_error& error)
+  {
+    throw Hex_mesh_file_error(filename, 0, error.message());
+  }
+  lcc.swap(result);
+  attachments = std::move(read_attachments);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * reads a hexahedral mesh into a linear cell complex as above, without attachments.
+ */
+template <class LCC, internal::Linear_cell_complex_only<LCC> = 0>
+void read_hex_mesh(const std::string& filename, LCC& lcc)
+{
+  Hex_mesh_attachments ignored;
+  read_hex_mesh(filename, lcc, ignored);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a hexahedral mesh in the format told by the extension of the file name, in upper or lower case:
+ * `.mesh` (`write_medit_hex_mesh()`), `.vtk` (`write_vtk_hex_mesh()`) or `.vtu` (`write_vtu_hex_mesh()`).
+ *
+ * Reading the file gives back the same points, bit by bit, and the same hexahedra in the same order. The file appears
+ * complete or not at all.
+ *
+ * \tparam PointRange a model of `RandomAccessContainer` whose value type has coordinates `x()`, `y()` and `z()`
+ * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight indices of an
+ *         integral type
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param filename the name of the file
+ * \param points the points
+ * \param hexahedra the hexahedra
+ * \param attachments what else to write to a Medit file; ignored for other formats
+ * \param np optional \ref bgl_namedparameters "Named Parameters" described below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{use_binary_mode}
+ *     \cgalParamDescription{whether the numbers of a `.vtk` or `.vtu` file are written in binary form}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws Hex_mesh_file_error if the file cannot be written
+ */
+template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
+          internal::No_linear_cell_complex<PointRange> = 0>
+void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                    const Hex_mesh_attachments& attachments,
+                    const NamedParameters& np = parameters::default_values())
+{
+  const std::string extension = internal::extension_of(filename);
+  if(extension == "mesh")
+    write_medit_hex_mesh(filename, points, hexahedra, attachments);
+  else if(extension == "vtk")
+    write_vtk_hex_mesh(filename, points, hexahedra, np);
+  else if(extension == "vtu")
+    write_vtu_hex_mesh(filename, points, hexahedra, np);
+  else
+    internal::refuse_extension(filename);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a hexahedral mesh as above, without attachments.
+ */
+template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
+          internal::No_linear_cell_complex<PointRange> = 0>
+void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                    const NamedParameters& np = parameters::default_values())
+{
+  write_hex_mesh(filename, points, hexahedra, Hex_mesh_attachments(), np);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a linear cell complex of hexahedra as above, in the order of
+ * `Hex_mesh_optimization::linear_cell_complex_to_hexahedra()`.
+ *
+ * \tparam LCC an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
+ *         `Linear_cell_complex_for_generalized_map<3,3,...>`
+ *
+ * \throws Hex_mesh_optimization::Input_error naming the volume if one is not a hexahedron
+ */
+template <class LCC, class NamedParameters = parameters::Default_named_parameters,
+          internal::Linear_cell_complex_only<LCC> = 0>
+void write_hex_mesh(const std::string& filename, const LCC& lcc, const Hex_mesh_attachments& attachments,
+                    const NamedParameters& np = parameters::default_values())
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  Hex_mesh_optimization::linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
+  write_hex_mesh(filename, points, hexahedra, attachments, np);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a linear cell complex of hexahedra as above, without attachments.
+ */
+template <class LCC, class NamedParameters = parameters::Default_named_parameters,
+          internal::Linear_cell_complex_only<LCC> = 0>
+void write_hex_mesh(const std::string& filename, const LCC& lcc,
+                    const NamedParameters& np = parameters::default_values())
+{
+  write_hex_mesh(filename, lcc, Hex_mesh_attachments(), np);
+}
+
+} } // namespace CGAL::IO
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_H

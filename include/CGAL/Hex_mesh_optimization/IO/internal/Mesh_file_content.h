@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H
+
+// What the readers of all formats produce, and its way into the containers of
+// the caller, who sees either the whole file or none of it.
+
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+
+#include <CGAL/Container_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+enum class Wanted_cells { HEXAHEDRA, POLYGONS };
+
+struct Mesh_file_content
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  std::vector<std::vector<std::size_t>> polygons;
+  Hex_mesh_attachments attachments;
+};
+
+template <class PointRange>
+void copy_points(const std::vector<std::array<double, 3>>& from, PointRange& points)
+{
+  using Point = typename PointRange::value_type;
+  points.clear();
+  points.reserve(from.size());
+  for(const std::array<double, 3>& p : from)
+    points.push_back(Point(p[0], p[1], p[2]));
+}
+
+template <class PointRange, class HexahedronRange>
+void copy_hex_mesh(const Mesh_file_content& content, PointRange& points, HexahedronRange& hexahedra)
+{
+  copy_points(content.points, points);
+  hexahedra.clear();
+  hexahedra.reserve(content.hexahedra.size());
+  for(const std::array<std::size_t, 8>& h : content.hexahedra)
+  {
+    typename HexahedronRange::value_type hexahedron;
+    CGAL::internal::resize(hexahedron, 8);
+    using Index = std::decay_t<decltype(hexahedron[0])>;
+    for(std::size_t c = 0; c < 8; ++c)
+      hexahedron[c] = static_cast<Index>(h[c]);
+    hexahedra.push_back(std::move(hexahedron));
+  }
+}
+
+template <class Point>
+std::array<double, 3> coordinates(const Point& p)
+{
+  return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+}
+
+} } } // namespace CGAL::IO::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H
