@@ -5,6 +5,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
+#include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "hexahedron_rotations.h"
@@ -331,6 +332,24 @@ TEST(Statistics, count_hexahedra_that_are_invalid_between_their_corners)
   EXPECT_GT(s.minimum, .8);
   EXPECT_EQ(s.number_of_invalid, 1u);
   EXPECT_LT(s.minimum_with_center, 0);
+}
+
+TEST(Statistics, of_a_linear_cell_complex)
+{
+  Mesh mesh;
+  mesh.add(box(1, 1, 1));
+  mesh.add(turned_hexahedron());
+  mesh.add(box(1, 2, -3));
+  CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Kernel>> lcc;
+  HMO::hexahedra_to_linear_cell_complex(mesh.points, mesh.hexahedra, lcc);
+  const HMO::Quality_statistics s = HMO::quality_statistics(lcc);
+  const HMO::Quality_statistics expected = HMO::quality_statistics(mesh.points, mesh.hexahedra);
+  EXPECT_EQ(s.number_of_hexahedra, 3u);
+  EXPECT_EQ(s.number_of_inverted, 1u);
+  EXPECT_EQ(s.number_of_invalid, 2u);
+  EXPECT_EQ(s.minimum, expected.minimum);
+  EXPECT_NEAR(s.average, expected.average, 1e-15);
+  EXPECT_EQ(s.maximum_edge_ratio, expected.maximum_edge_ratio);
 }
 
 TEST(Statistics, of_an_empty_mesh_are_zero)

@@ -10,6 +10,7 @@
 #include <CGAL/assertions.h>
 
 #include <CGAL/Hex_mesh_optimization/internal/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/validity.h>
 
 #include <algorithm>
@@ -201,8 +202,8 @@ struct Quality_statistics
   /// The number of hexahedra with a scaled Jacobian of 0 or less.
   std::size_t number_of_inverted = 0;
 
-  /// The number of hexahedra not certified by `is_valid_hexahedron()`; it counts the
-  /// inverted ones and those that are folded between their corners.
+  /// The number of hexahedra not certified by `is_valid_hexahedron()`: but for rounding at a scaled
+  /// Jacobian of 0, the inverted ones and those that are folded between their corners.
   std::size_t number_of_invalid = 0;
 
   /// The minimum over the hexahedra of `scaled_jacobian()`.
@@ -297,6 +298,23 @@ Quality_statistics quality_statistics(const PointRange& points, const Hexahedron
   result.edge_ratio_99 = entry(n * 99 / 100);
   result.maximum_edge_ratio = entry(n - 1);
   return result;
+}
+
+/*!
+ * computes the statistics of the qualities of a linear cell complex.
+ *
+ * \tparam LCC an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
+ *         `Linear_cell_complex_for_generalized_map<3,3,...>`
+ *
+ * \throws Input_error as `linear_cell_complex_to_hexahedra()` does
+ */
+template <class LCC>
+Quality_statistics quality_statistics(const LCC& lcc)
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
+  return quality_statistics(points, hexahedra);
 }
 
 /*!
