@@ -316,6 +316,38 @@ Dart dart_of_face(LCC& lcc, Dart dart, std::size_t face)
   }
 }
 
+template <class PointRange, class LCC>
+void make_volumes(const PointRange& points, const Hexahedra_sewing& sewing, LCC& lcc)
+{
+  using Vertex = decltype(lcc.create_vertex_attribute(*points.begin()));
+  std::vector<Vertex> vertices;
+  vertices.reserve(points.size());
+  for(const auto& p : points)
+    vertices.push_back(lcc.create_vertex_attribute(p));
+
+  using Dart = decltype(lcc.create_dart());
+  std::vector<Dart> darts;
+  darts.reserve(sewing.hexahedra().size());
+  // make_hexahedron() numbers the top differently: its corner 4 is above corner 3.
+  for(const std::array<std::size_t, 8>& h : sewing.hexahedra())
+    darts.push_back(lcc.make_hexahedron(vertices[h[0]], vertices[h[1]], vertices[h[2]], vertices[h[3]],
+                                        vertices[h[7]], vertices[h[4]], vertices[h[5]], vertices[h[6]]));
+
+  for(const Face_match& m : sewing.face_matches())
+  {
+    const Dart first = dart_of_face(lcc, darts[m.first / 6], m.first % 6);
+    Dart second = dart_of_face(lcc, darts[m.second / 6], m.second % 6);
+    for(int i = m.turn; i % 4 != 0; ++i)
+      second = lcc.next(second);
+    // The two faces share their vertex attributes already: the topological
+    // sewing leaves nothing to merge.
+    if constexpr(is_generalized_map_v<LCC>)
+      lcc.template topo_sew<3>(first, lcc.template alpha<0>(second));
+    else
+      lcc.template topo_sew<3>(first, second);
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -354,35 +386,7 @@ Dart dart_of_face(LCC& lcc, Dart dart, std::size_t face)
 template <class PointRange, class HexahedronRange, class LCC>
 void hexahedra_to_linear_cell_complex(const PointRange& points, const HexahedronRange& hexahedra, LCC& lcc)
 {
-  const internal::Hexahedra_sewing sewing(points.size(), hexahedra);
-
-  using Vertex = decltype(lcc.create_vertex_attribute(*points.begin()));
-  std::vector<Vertex> vertices;
-  vertices.reserve(points.size());
-  for(const auto& p : points)
-    vertices.push_back(lcc.create_vertex_attribute(p));
-
-  using Dart = decltype(lcc.create_dart());
-  std::vector<Dart> darts;
-  darts.reserve(sewing.hexahedra().size());
-  // make_hexahedron() numbers the top differently: its corner 4 is above corner 3.
-  for(const std::array<std::size_t, 8>& h : sewing.hexahedra())
-    darts.push_back(lcc.make_hexahedron(vertices[h[0]], vertices[h[1]], vertices[h[2]], vertices[h[3]],
-                                        vertices[h[7]], vertices[h[4]], vertices[h[5]], vertices[h[6]]));
-
-  for(const internal::Face_match& m : sewing.face_matches())
-  {
-    const Dart first = internal::dart_of_face(lcc, darts[m.first / 6], m.first % 6);
-    Dart second = internal::dart_of_face(lcc, darts[m.second / 6], m.second % 6);
-    for(int i = m.turn; i % 4 != 0; ++i)
-      second = lcc.next(second);
-    // The two faces share their vertex attributes already: the topological
-    // sewing leaves nothing to merge.
-    if constexpr(internal::is_generalized_map_v<LCC>)
-      lcc.template topo_sew<3>(first, lcc.template alpha<0>(second));
-    else
-      lcc.template topo_sew<3>(first, second);
-  }
+  internal::make_volumes(points, internal::Hexahedra_sewing(points.size(), hexahedra), lcc);
 }
 
 } } // namespace CGAL::Hex_mesh_optimization

@@ -98,8 +98,8 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  *
- * reads a hexahedral mesh as above into a linear cell complex, by
- * `Hex_mesh_optimization::hexahedra_to_linear_cell_complex()`.
+ * reads a hexahedral mesh as above into a linear cell complex, as
+ * `Hex_mesh_optimization::hexahedra_to_linear_cell_complex()` does.
  *
  * \tparam LCC an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
  *         `Linear_cell_complex_for_generalized_map<3,3,...>`
@@ -118,16 +118,17 @@ void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& 
   std::vector<std::array<std::size_t, 8>> hexahedra;
   Hex_mesh_attachments read_attachments;
   read_hex_mesh(filename, points, hexahedra, read_attachments);
-  LCC result;
   try
   {
-    Hex_mesh_optimization::hexahedra_to_linear_cell_complex(points, hexahedra, result);
+    // Everything that can go wrong does so here.
+    const Hex_mesh_optimization::internal::Hexahedra_sewing sewing(points.size(), hexahedra);
+    lcc.clear();
+    Hex_mesh_optimization::internal::make_volumes(points, sewing, lcc);
   }
   catch(const Hex_mesh_optimization::Input_error& error)
   {
     throw Hex_mesh_file_error(filename, 0, error.message());
   }
-  lcc.swap(result);
   attachments = std::move(read_attachments);
 }
 

@@ -57,13 +57,11 @@ private:
     std::size_t line, begin, body, end;
   };
 
+  // All keywords begin with a capital letter; so may a number that is none.
   static bool is_keyword(std::string_view word)
   {
-    const char c = lower(word.front());
-    if(c < 'a' || c > 'z')
-      return false;
-    const std::string l = word.size() <= 8 ? lowered(word) : std::string();
-    return l != "nan" && l != "inf" && l != "infinity";
+    return word.front() >= 'A' && word.front() <= 'Z' && lowered(word) != "nan" && lowered(word) != "inf"
+           && lowered(word) != "infinity";
   }
 
   void find_sections()

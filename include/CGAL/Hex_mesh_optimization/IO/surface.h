@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_SURFACE_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_SURFACE_H
+
+// Reads a surface, to be used as the reference of a hexahedral mesh, as a triangle mesh.
+
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Text_scanner.h>
+#include <CGAL/Hex_mesh_optimization/IO/medit.h>
+#include <CGAL/Hex_mesh_optimization/IO/vtk.h>
+#include <CGAL/Hex_mesh_optimization/IO/vtu.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+template <class Point>
+void read_polygons(const std::string& filename, std::vector<Point>& points,
+                   std::vector<std::vector<std::size_t>>& polygons)
+{
+  const std::string extension = extension_of(filename);
+  if(extension == "mesh" || extension == "vtk" || extension == "vtu")
+  {
+    Mesh_file_content content = extension == "mesh" ? Medit_reader(filename, Wanted_cells::POLYGONS).read()
+                              : extension == "vtk" ? Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read()
+                                                   : Vtu_reader(filename, Wanted_cells::POLYGONS).read();
+    copy_points(content.points, points);
+    polygons = std::move(content.polygons);
+    return;
+  }
+  if(extension != "off" && extension != "obj" && extension != "stl" && extension != "ply")
+    throw Hex_mesh_file_error(filename, 0,
+                              "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
+  if(!std::ifstream(filename))
+    throw Hex_mesh_file_error(filename, 0, "cannot open the file for reading");
+  bool success = false;
+  try
+  {
+    success = read_polygon_soup(filename, points, polygons);
+  }
+  catch(const std::exception&) // as a number of vertices that no memory can hold
+  {}
+  if(!success)
+    throw Hex_mesh_file_error(filename, 0, "it cannot be read as a surface in ." + extension + " format");
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * reads a surface from a file in the format told by the extension of its name, in upper or lower case: `.off`, `.obj`,
+ * `.stl`, `.ply`, or the triangles and quadrilaterals of a `.mesh`, `.vtk` (unstructured grid or polygonal data) or `.vtu`
+ * file.
+ *
+ * Polygons are triangulated and oriented consistently; where more than two meet in an edge, or several sheets in a
+ * vertex, the surface is taken apart. Equal points are merged for `.stl` only, the format that has no other
+ * way to connect triangles. Polygons with less than three different vertices and points of no polygon are dropped.
+ *
+ * \tparam TriangleMesh a model of `MutableFaceGraph` with an internal point property
+ *
+ * \param filename the name of the file
+ * \param tmesh the triangle mesh, cleared first
+ *
+ * \throws Hex_mesh_file_error if the file cannot be read, has a coordinate that is not finite, an index out of range,
+ *         or no polygons. `tmesh` is unchanged then.
+ */
+template <class TriangleMesh>
+void read_surface(const std::string& filename, TriangleMesh& tmesh)
+{
+  namespace PMP = Polygon_mesh_processing;
+  using Point = typename boost::property_traits<
+    typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type;
+
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  internal::read_polygons(filename, points, polygons);
+
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(const double x : internal::coordinates(points[i]))
+      if(!std::isfinite(x))
+        throw Hex_mesh_file_error(filename, 0, "point " + std::to_string(i) + " has a coordinate that is not finite");
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    for(const std::size_t v : polygons[i])
+      if(v >= points.size())
+        throw Hex_mesh_file_error(filename, 0, "polygon " + std::to_string(i) + " refers to point " + std::to_string(v)
+                                               + ", there are " + std::to_string(points.size()) + " points");
+
+  if(internal::extension_of(filename) == "stl")
+    PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
+  for(std::vector<std::size_t>& polygon : polygons)
+  {
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while(polygon.size() > 1 && polygon.front() == polygon.back())
+      polygon.pop_back();
+  }
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](std::vector<std::size_t> polygon)
+    {
+      std::sort(polygon.begin(), polygon.end());
+      return polygon.size() < 3 || std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+    }), polygons.end());
+  PMP::remove_isolated_points_in_polygon_soup(points, polygons);
+  if(polygons.empty())
+    throw Hex_mesh_file_error(filename, 0, "the surface has no polygons");
+
+  PMP::orient_polygon_soup(points, polygons);
+  if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
+    throw Hex_mesh_file_error(filename, 0, "the polygons do not form a surface");
+  TriangleMesh result;
+  PMP::polygon_soup_to_polygon_mesh(points, polygons, result);
+  if(!PMP::triangulate_faces(result) || !CGAL::is_triangle_mesh(result))
+    throw Hex_mesh_file_error(filename, 0, "the polygons cannot be triangulated");
+  tmesh = std::move(result);
+}
+
+} } // namespace CGAL::IO
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_SURFACE_H
