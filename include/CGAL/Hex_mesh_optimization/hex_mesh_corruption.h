@@ -8,7 +8,7 @@
 // connectivity.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
-#include <CGAL/Hex_mesh_optimization/internal/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
@@ -76,55 +76,34 @@ private:
   std::uint64_t state_;
 };
 
-// The faces that only one hexahedron has, each as in `hexahedron_faces`.
 template <class HexahedronRange>
-std::vector<std::array<std::size_t, 4>> boundary_quads(const HexahedronRange& hexahedra)
+Hexahedral_complex hexahedral_complex(std::size_t number_of_vertices, const HexahedronRange& hexahedra)
 {
-  struct Face
-  {
-    std::array<std::size_t, 4> sorted, quad;
-  };
-  std::vector<Face> faces;
-  faces.reserve(6 * hexahedra.size());
-  for (const auto& hexahedron : hexahedra)
-    for (const auto& corners : hexahedron_faces) {
-      Face face;
-      for (int i = 0; i < 4; ++i)
-        face.quad[i] = static_cast<std::size_t>(hexahedron[corners[i]]);
-      face.sorted = face.quad;
-      std::sort(face.sorted.begin(), face.sorted.end());
-      faces.push_back(face);
-    }
-  // Stable, so that the order of the quads does not depend on the library
-  std::stable_sort(faces.begin(), faces.end(),
-                   [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
-
-  std::vector<std::array<std::size_t, 4>> quads;
-  for (std::size_t first = 0, last; first < faces.size(); first = last) {
-    for (last = first + 1; last < faces.size() && faces[last].sorted == faces[first].sorted; ++last) {}
-    if (last == first + 1)
-      quads.push_back(faces[first].quad);
+  std::vector<Hexahedron> copies;
+  copies.reserve(hexahedra.size());
+  for (const auto& hexahedron : hexahedra) {
+    Hexahedron copy;
+    for (int corner = 0; corner < 8; ++corner)
+      copy[corner] = static_cast<int>(hexahedron[corner]);
+    copies.push_back(copy);
   }
-  return quads;
+  return Hexahedral_complex(number_of_vertices, std::move(copies));
 }
 
-// The vertices that are inside the mesh: used, and not on its boundary.
-template <class HexahedronRange>
-std::vector<std::size_t> interior_vertices(std::size_t number_of_vertices, const HexahedronRange& hexahedra)
+// The vertices inside the mesh: used, and not on its boundary.
+inline std::vector<std::size_t> interior_vertices(const Hexahedral_complex& complex)
 {
-  std::vector<char> is_interior(number_of_vertices, 0);
-  for (const auto& hexahedron : hexahedra)
-    for (int corner = 0; corner < 8; ++corner)
-      is_interior[hexahedron[corner]] = 1;
-  for (const auto& quad : boundary_quads(hexahedra))
-    for (std::size_t v : quad)
-      is_interior[v] = 0;
-
   std::vector<std::size_t> vertices;
-  for (std::size_t v = 0; v < number_of_vertices; ++v)
-    if (is_interior[v])
+  for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+    if (complex.is_used[v] && !complex.is_on_boundary[v])
       vertices.push_back(v);
   return vertices;
+}
+
+template <class PointRange>
+double edge_length(const PointRange& points, const std::array<int, 2>& edge)
+{
+  return std::sqrt(CGAL::to_double((points[edge[1]] - points[edge[0]]).squared_length()));
 }
 
 template <class Point>
@@ -132,28 +111,6 @@ Point displaced(const Point& p, const std::array<double, 3>& direction, double l
 {
   using Vector = typename Kernel_traits<Point>::Kernel::Vector_3;
   return p + Vector(length * direction[0], length * direction[1], length * direction[2]);
-}
-
-// The mean length of the edges at each vertex; an edge counts once for each
-// hexahedron around it.
-template <class PointRange, class HexahedronRange>
-std::vector<double> mean_edge_lengths(const PointRange& points, const HexahedronRange& hexahedra)
-{
-  std::vector<double> sums(points.size(), 0);
-  std::vector<std::size_t> counts(points.size(), 0);
-  for (const auto& hexahedron : hexahedra)
-    for (const auto& edge : hexahedron_edges) {
-      const std::size_t a = hexahedron[edge[0]], b = hexahedron[edge[1]];
-      const double length = std::sqrt(CGAL::to_double((points[b] - points[a]).squared_length()));
-      for (std::size_t v : {a, b}) {
-        sums[v] += length;
-        ++counts[v];
-      }
-    }
-  for (std::size_t v = 0; v < sums.size(); ++v)
-    if (counts[v] != 0)
-      sums[v] /= static_cast<double>(counts[v]);
-  return sums;
 }
 
 } // namespace internal
@@ -165,13 +122,14 @@ std::vector<double> mean_edge_lengths(const PointRange& points, const Hexahedron
  * platform. They change coordinates only.
  *
  * `PointRange` is a model of `RandomAccessContainer` with value type
- * `Kernel::Point_3`, `HexahedronRange` one of ranges of 8 vertex indices.
+ * `Kernel::Point_3`, `HexahedronRange` one of ranges of 8 vertex indices. As
+ * everywhere, `Input_error` is thrown if the mesh or its boundary is not a manifold.
  */
 
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * Moves every interior vertex to a random position, uniform in the bounding box
+ * moves every interior vertex to a random position, uniform in the bounding box
  * of the mesh; on all but the coarsest meshes most hexahedra end up inverted.
  * The boundary is untouched.
  */
@@ -192,7 +150,7 @@ void scramble_interior(PointRange& points, const HexahedronRange& hexahedra, std
   }
 
   internal::Corruption_random random(seed);
-  for (std::size_t v : internal::interior_vertices(points.size(), hexahedra)) {
+  for (std::size_t v : internal::interior_vertices(internal::hexahedral_complex(points.size(), hexahedra))) {
     std::array<double, 3> p;
     for (int d = 0; d < 3; ++d)
       p[d] = lower[d] + random() * (upper[d] - lower[d]);
@@ -203,27 +161,37 @@ void scramble_interior(PointRange& points, const HexahedronRange& hexahedra, std
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * Moves every interior vertex by a random vector, uniform in the ball of radius
+ * moves every interior vertex by a random vector, uniform in the ball of radius
  * `amplitude` times the mean length of the edges at the vertex. Around 1, many
  * hexahedra are inverted. The boundary is untouched.
  */
 template <class PointRange, class HexahedronRange>
 void scramble_interior(PointRange& points, const HexahedronRange& hexahedra, std::uint64_t seed, double amplitude)
 {
-  const std::vector<double> lengths = internal::mean_edge_lengths(points, hexahedra);
+  const internal::Hexahedral_complex complex = internal::hexahedral_complex(points.size(), hexahedra);
+  std::vector<double> sums(points.size(), 0), counts(points.size(), 0);
+  for (const std::array<int, 2>& edge : complex.edges)
+    for (int v : edge) {
+      sums[v] += internal::edge_length(points, edge);
+      ++counts[v];
+    }
+
   internal::Corruption_random random(seed);
-  for (std::size_t v : internal::interior_vertices(points.size(), hexahedra))
-    points[v] = internal::displaced(points[v], random.in_ball(), amplitude * lengths[v]);
+  for (std::size_t v : internal::interior_vertices(complex))
+    points[v] = internal::displaced(points[v], random.in_ball(), amplitude * sums[v] / counts[v]);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * Rotates a random selection of hexahedra about their centers, each as a rigid
+ * rotates a random selection of hexahedra about their centers, each as a rigid
  * body in its original shape, by a random angle about a random axis. Where
  * rotated hexahedra share a vertex, the last one wins. Vertices on the boundary
  * stay where they are.
  *
+ * \param points the vertices of the mesh
+ * \param hexahedra the hexahedra of the mesh
+ * \param seed the seed of the random numbers
  * \param fraction the part of the hexahedra that is rotated, from 0 to 1
  * \param maximum_angle angles are uniform between 0 and this, in radians
  */
@@ -237,9 +205,7 @@ void rotate_hexahedra(PointRange& points,
   using Point = typename PointRange::value_type;
   using Vector = typename Kernel_traits<Point>::Kernel::Vector_3;
 
-  std::vector<char> is_interior(points.size(), 0);
-  for (std::size_t v : internal::interior_vertices(points.size(), hexahedra))
-    is_interior[v] = 1;
+  const internal::Hexahedral_complex complex = internal::hexahedral_complex(points.size(), hexahedra);
 
   // The selection: the head of a Fisher-Yates shuffle
   internal::Corruption_random random(seed);
@@ -267,7 +233,7 @@ void rotate_hexahedra(PointRange& points,
 
     for (int corner = 0; corner < 8; ++corner) {
       const std::size_t v = hexahedron[corner];
-      if (!is_interior[v])
+      if (complex.is_on_boundary[v])
         continue;
       // Rodrigues' formula
       const Vector arm = original[v] - center;
@@ -279,7 +245,7 @@ void rotate_hexahedra(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * Slides vertices along the boundary: each one goes to a random place on one of
+ * slides vertices along the boundary: each one goes to a random place on one of
  * its boundary quads (as a bilinear patch), at most the fraction `amplitude` of
  * the way to the far corner in either direction. Above 1/4, boundary
  * quads may fold. A vertex whose quads' normals differ by more than
@@ -295,38 +261,36 @@ void jitter_boundary(PointRange& points,
   using Point = typename PointRange::value_type;
   using Vector = typename Kernel_traits<Point>::Kernel::Vector_3;
 
-  const std::vector<std::array<std::size_t, 4>> quads = internal::boundary_quads(hexahedra);
+  const internal::Hexahedral_complex complex = internal::hexahedral_complex(points.size(), hexahedra);
   std::vector<Vector> normals;
-  normals.reserve(quads.size());
-  // Corners of quads, grouped by the vertex that is there
-  std::vector<std::vector<std::pair<std::size_t, int>>> corners(points.size());
-  for (std::size_t q = 0; q < quads.size(); ++q) {
-    const Vector normal = cross_product(points[quads[q][2]] - points[quads[q][0]],
-                                        points[quads[q][3]] - points[quads[q][1]]);
+  normals.reserve(complex.boundary_faces.size());
+  for (const auto& face : complex.boundary_faces) {
+    const std::array<int, 4>& quad = face.vertices;
+    const Vector normal = cross_product(points[quad[2]] - points[quad[0]], points[quad[3]] - points[quad[1]]);
     const double length = std::sqrt(CGAL::to_double(normal.squared_length()));
     normals.push_back(length > 0 ? Vector(normal / length) : Vector(0, 0, 0));
-    for (int i = 0; i < 4; ++i)
-      corners[quads[q][i]].emplace_back(q, i);
   }
 
   internal::Corruption_random random(seed);
   const double minimum_cosine = std::cos(features_angle);
   const PointRange original = points;
-  for (std::size_t v = 0; v < corners.size(); ++v) {
-    bool is_feature = corners[v].empty();
-    for (std::size_t i = 0; i < corners[v].size() && !is_feature; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (CGAL::to_double(normals[corners[v][i].first] * normals[corners[v][j].first]) < minimum_cosine)
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const auto faces = complex.vertex_boundary_faces[v];
+    bool is_feature = false;
+    for (int f : faces)
+      for (int g : faces)
+        if (CGAL::to_double(normals[f] * normals[g]) < minimum_cosine)
           is_feature = true;
-    if (is_feature)
+    if (is_feature || !complex.is_on_boundary[v])
       continue;
 
-    const auto [q, i] = corners[v][random.index(corners[v].size())];
+    const std::array<int, 4>& quad = complex.boundary_faces[faces[random.index(faces.size())]].vertices;
+    const int i = static_cast<int>(std::find(quad.begin(), quad.end(), static_cast<int>(v)) - quad.begin());
     const double s = random() * amplitude, t = random() * amplitude;
     const Point& p = original[v];
-    const Vector a = original[quads[q][(i + 1) % 4]] - p;
-    const Vector b = original[quads[q][(i + 3) % 4]] - p;
-    const Vector opposite = original[quads[q][(i + 2) % 4]] - p;
+    const Vector a = original[quad[(i + 1) % 4]] - p;
+    const Vector b = original[quad[(i + 3) % 4]] - p;
+    const Vector opposite = original[quad[(i + 2) % 4]] - p;
     points[v] = p + (s * (1 - t) * a + (1 - s) * t * b + s * t * opposite);
   }
 }
@@ -334,7 +298,7 @@ void jitter_boundary(PointRange& points,
 /*!
  * \ingroup PkgHexMeshOptimizationGenerators
  *
- * Moves one random interior vertex in a random direction by `factor` times the
+ * moves one random interior vertex in a random direction by `factor` times the
  * average length of the interior edges (those with an end inside the mesh).
  *
  * \return the index of the vertex, so that the caller can hold it where it is
@@ -346,29 +310,22 @@ std::size_t displace_vertex(PointRange& points,
                             std::uint64_t seed,
                             double factor = 4)
 {
-  const std::vector<std::size_t> interior = internal::interior_vertices(points.size(), hexahedra);
+  const internal::Hexahedral_complex complex = internal::hexahedral_complex(points.size(), hexahedra);
+  const std::vector<std::size_t> interior = internal::interior_vertices(complex);
   if (interior.empty())
     throw Input_error(Input_error::Element::MESH, 0, "the mesh has no interior vertex to displace");
 
-  std::vector<char> is_interior(points.size(), 0);
-  for (std::size_t v : interior)
-    is_interior[v] = 1;
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  for (const auto& hexahedron : hexahedra)
-    for (const auto& edge : internal::hexahedron_edges) {
-      const std::size_t a = hexahedron[edge[0]], b = hexahedron[edge[1]];
-      if (is_interior[a] || is_interior[b])
-        edges.emplace_back((std::min)(a, b), (std::max)(a, b));
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   double sum = 0;
-  for (const auto& edge : edges)
-    sum += std::sqrt(CGAL::to_double((points[edge.second] - points[edge.first]).squared_length()));
+  std::size_t number_of_edges = 0;
+  for (const std::array<int, 2>& edge : complex.edges)
+    if (!complex.is_on_boundary[edge[0]] || !complex.is_on_boundary[edge[1]]) {
+      sum += internal::edge_length(points, edge);
+      ++number_of_edges;
+    }
 
   internal::Corruption_random random(seed);
   const std::size_t v = interior[random.index(interior.size())];
-  points[v] = internal::displaced(points[v], random.on_sphere(), factor * sum / static_cast<double>(edges.size()));
+  points[v] = internal::displaced(points[v], random.on_sphere(), factor * sum / static_cast<double>(number_of_edges));
   return v;
 }
 

@@ -32,10 +32,12 @@ struct Linear_cell_complex_types
 {
 #if CGAL_VERSION_NR >= 1050600000
   using Dart = typename LCC::Dart_const_descriptor;
+  using Vertex = typename LCC::Vertex_attribute_descriptor;
   template <class Vertex>
   static bool is_null(const Vertex& vertex) { return vertex == LCC::null_descriptor; }
 #else
   using Dart = typename LCC::Dart_const_handle;
+  using Vertex = typename LCC::Vertex_attribute_handle;
   template <class Vertex>
   static bool is_null(const Vertex& vertex) { return vertex == LCC::null_handle; }
 #endif

@@ -25,6 +25,11 @@ constexpr int hexahedron_edges[12][2] = {{0, 1}, {3, 2}, {4, 5}, {7, 6},
                                          {0, 3}, {1, 2}, {4, 7}, {5, 6},
                                          {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
+// The edge from a corner to each of its three neighbors: twice its place in
+// hexahedron_edges, plus one where the table runs the other way.
+constexpr int corner_edges[8][3] = {{0, 8, 16}, {10, 1, 18}, {3, 11, 20}, {9, 2, 22},
+                                    {12, 4, 17}, {5, 14, 19}, {15, 7, 21}, {6, 13, 23}};
+
 } } } // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_HEXAHEDRON_H

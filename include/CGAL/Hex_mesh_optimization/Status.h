@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_STATUS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_STATUS_H
+
+// What an optimization reports: why it stopped, and what the mesh was and is.
+
+#include <CGAL/Hex_mesh_optimization/quality.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * Why an optimization stopped. None of these says that the mesh is valid: ask `Status::valid_mesh()`.
+ */
+enum class Return_code
+{
+  CONVERGED,              ///< Further iterations would not improve the mesh.
+  TARGET_QUALITY_REACHED, ///< The minimum scaled Jacobian reached `target_quality`.
+  ITERATION_LIMIT,        ///< The number of iterations was used up while the mesh still improved.
+  TIME_LIMIT,             ///< `maximum_running_time` was over.
+  STOPPED_BY_VISITOR,     ///< The visitor asked to stop.
+  NO_IMPROVEMENT          ///< Nothing better than the input was found: all positions are as they were.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * Two-sided distance between the boundary of the mesh and the reference surface, measured at the vertices of both and
+ * at points spread evenly over both. Average and maximum are each the larger one of both directions.
+ */
+struct Deviation
+{
+  double average = 0;          ///< In units of length.
+  double maximum = 0;          ///< In units of length.
+  double average_relative = 0; ///< Over the diagonal of the bounding box of the reference.
+  double maximum_relative = 0; ///< Over the diagonal of the bounding box of the reference.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * The result of `CGAL::optimize_hex_mesh()`.
+ */
+struct Status
+{
+  Return_code return_code = Return_code::NO_IMPROVEMENT;
+
+  Quality_statistics before; ///< Of the mesh that came in.
+  Quality_statistics after;  ///< Of the mesh as it is now.
+  Deviation deviation;       ///< Of the mesh as it is now.
+
+  std::size_t iterations = 0; ///< Over all stages.
+
+  double rectification_seconds = 0; ///< Wall-clock time of edge-cone rectification.
+  double maximization_seconds = 0;  ///< Wall-clock time of quality maximization.
+  double total_seconds = 0;         ///< Wall-clock time of everything, set-up and final measurements included.
+
+  /// The hexahedra whose trilinear map is not certified to be valid, in increasing order.
+  std::vector<std::size_t> invalid_hexahedra;
+
+  /// The hexahedra were numbered inside out; they were taken with their bottom and top exchanged, and the statistics
+  /// refer to that numbering.
+  bool orientation_reversed = false;
+
+  /// `true` if the trilinear map of every hexahedron is certified to be valid (see `is_valid_hexahedron()`).
+  bool valid_mesh() const { return invalid_hexahedra.empty(); }
+};
+
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_STATUS_H

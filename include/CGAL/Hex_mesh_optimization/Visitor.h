@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_VISITOR_H
+#define CGAL_HEX_MESH_OPTIMIZATION_VISITOR_H
+
+// How a caller watches an optimization, and stops it.
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * The parts an optimization consists of.
+ */
+enum class Stage
+{
+  RECTIFICATION, ///< Edge-cone rectification: local and global steps in turn.
+  MAXIMIZATION   ///< Maximization of the worst and the average quality.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * The state after one iteration.
+ */
+struct Iteration
+{
+  Stage stage;
+  std::size_t iteration;          ///< Counted from 0 within the stage.
+  double energy;                  ///< Of the stage, after the iteration (eq. 25 of the paper for rectification); scale-free.
+  std::size_t number_of_inverted; ///< Hexahedra with a corner of scaled Jacobian at most 0.
+  double minimum;                 ///< Least scaled Jacobian over the hexahedra (8 corners).
+  double average;                 ///< Mean of the scaled Jacobians of the hexahedra.
+  double seconds;                 ///< Wall-clock time since the call.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * The visitor that does nothing. A visitor is any class with this member function.
+ */
+struct Default_visitor
+{
+  /// Called after each iteration. The optimization goes on if it returns `true`; on `false` the mesh takes the best
+  /// positions so far. An exception passes through and leaves the mesh as it was before the call.
+  bool on_iteration(const Iteration&) { return true; }
+};
+
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_VISITOR_H

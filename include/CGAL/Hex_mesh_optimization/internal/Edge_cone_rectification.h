@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_EDGE_CONE_RECTIFICATION_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_EDGE_CONE_RECTIFICATION_H
+
+// Algorithm 1 of "Practical Hex-Mesh Optimization via Edge-Cone Rectification"
+// (Livesu, Sheffer, Vining, Tarini; SIGGRAPH 2015): local and global steps in
+// turn, restarts with updated lengths, and the maximization of the worst cones.
+
+#include <CGAL/Hex_mesh_optimization/internal/Edge_cones.h>
+#include <CGAL/Hex_mesh_optimization/internal/Global_step.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/Rectification_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/Reference_pull.h>
+#include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Edge_cone_rectification
+{
+public:
+  // Positions are in units of the mean boundary edge; lengths are the targets.
+  Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations, const Reference_surface& surface,
+                          const Boundary_attachment& attachment, std::vector<double> lengths,
+                          const Rectification_parameters& parameters)
+    : complex_(complex)
+    , surface_(surface)
+    , attachment_(attachment)
+    , parameters_(parameters)
+    , lengths_(std::move(lengths))
+    , cones_(complex)
+    , global_(complex, relations, cones_, parameters_)
+    , pull_(complex, surface, parameters.reference_spacing)
+    , weights_(complex.number_of_vertices(), 1.0)
+    , targets_(cones_.size())
+  {
+    std::vector<char> is_fixed(complex.number_of_vertices());
+    for (std::size_t v = 0; v < is_fixed.size(); ++v)
+      is_fixed[v] = attachment.kind[v] == Vertex_kind::FIXED;
+    global_.fix(is_fixed);
+  }
+
+  // Improves points until nothing moves or control ends the run; leaves in them
+  // the best state met, the one that came in included.
+  void run(Positions& points, Run_control& control, double target_quality)
+  {
+    Best best{points, Mesh_quality(complex_, points)};
+    best.highest_minimum = best.quality.minimum;
+    best.least_minimum = best.quality.invalid == 0 ? best.quality.minimum : -1;
+    iteration_ = 0;
+    for (std::size_t restart = 0; restart <= parameters_.restarts && !control.is_stopped(); ++restart) {
+      global_.set_target_lengths(lengths_);
+      for (std::size_t i = 0; i < parameters_.iterations; ++i) {
+        const double anchor = parameters_.tangential_anchor * std::pow(parameters_.tangential_fade, double(i));
+        const bool moved = iterate(points, anchor, best, control, false);
+        if (control.is_stopped() || !moved || best.quality_reaches(target_quality))
+          break;
+      }
+      if (best.quality_reaches(target_quality))
+        break;
+      if (restart < parameters_.restarts && !update_lengths(points))
+        break;
+    }
+    if (parameters_.maximize_minimum_quality && best.quality.invalid == 0)
+      maximize_minimum(points, best, control, target_quality);
+    points = std::move(best.points);
+  }
+
+private:
+  struct Best
+  {
+    Positions points;
+    Mesh_quality quality;
+    double highest_minimum = -1; // among the states with as few invalid hexahedra
+    double least_minimum = -1;   // a valid mesh never gets a lower minimum
+
+    bool quality_reaches(double target) const { return quality.invalid == 0 && quality.minimum >= target; }
+
+    // Later states lie closer to the surface, so that among equally valid ones the
+    // later wins unless its minimum falls behind.
+    void offer(const Positions& candidate, const Mesh_quality& q)
+    {
+      if (q.invalid > quality.invalid || q.inverted > quality.inverted || q.minimum < least_minimum)
+        return;
+      if (q.invalid < quality.invalid)
+        highest_minimum = -1;
+      if (q.minimum >= .9 * highest_minimum) {
+        points = candidate;
+        quality = q;
+      }
+      highest_minimum = (std::max)(highest_minimum, q.minimum);
+    }
+  };
+
+  // One local and one global step. False when nothing moved any more.
+  bool iterate(Positions& points, double anchor, Best& best, Run_control& control, bool maximizing)
+  {
+    local_step(points, maximizing);
+    global_.set_boundary(surface_, attachment_, weights_, anchor, points);
+    if (best.quality.invalid == 0)
+      pull_reference(points);
+    const Positions before = points;
+    const double energy = global_.minimize(targets_, points);
+    const Mesh_quality quality(complex_, points);
+    adapt_weights(quality);
+    best.offer(points, quality);
+    control.after_iteration(Stage::RECTIFICATION, iteration_++, energy, quality);
+    return Global_step::largest_move(before, points) >= parameters_.convergence;
+  }
+
+  // The pull gives way where the vertices had to be let go.
+  void pull_reference(const Positions& points)
+  {
+    const std::vector<Reference_pull::Link>& links = pull_.update(points, parameters_.pull_tolerance);
+    std::vector<double> weights;
+    weights.reserve(links.size());
+    for (const Reference_pull::Link& link : links) {
+      double weight = 1;
+      for (int v : link.vertices)
+        weight = (std::min)(weight, weights_[v]);
+      weights.push_back(parameters_.pull_weight * weight);
+    }
+    global_.set_reference_pull(links, weights);
+  }
+
+  void local_step(const Positions& points, bool maximizing)
+  {
+    cones_.update_normals(points);
+    Positions surface_normals(points.size(), Vector_3::Zero());
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (complex_.is_on_boundary[v])
+        surface_normals[v] = surface_.closest_point(points[v]).normal;
+    const double threshold = std::cos(parameters_.cone_angle_bound * 3.14159265358979323846 / 180);
+    double worst_of_mesh = 1;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      const int directed = static_cast<int>(i);
+      Vector_3 normal = Vector_3::Zero();
+      double surface_weight = 0;
+      if (complex_.is_boundary_edge[directed / 2]) {
+        normal = surface_normals[complex_.source(directed)] + surface_normals[complex_.target(directed)];
+        if (normal.norm() > 1e-3) { // opposite normals have no average
+          normal.normalize();
+          surface_weight = parameters_.direction_surface_weight;
+        }
+      }
+      const Vector_3 edge = global_.edge_vector(points, directed);
+      double wanted = threshold;
+      if (maximizing) {
+        const double current = cones_.worst_cosine(directed, edge.normalized());
+        worst_of_mesh = (std::min)(worst_of_mesh, current);
+        if (current > threshold && current < parameters_.sufficient_quality)
+          wanted = current + parameters_.minimum_quality_step; // eq. 26
+      }
+      const Target_direction target = target_direction(cones_, directed, edge, wanted, surface_weight, normal);
+      // no room for a better axis: the previous target stays (Section 3.6)
+      if (!maximizing || target.worst_cosine >= wanted - 1e-9 || !targets_[i].is_valid())
+        targets_[i] = target;
+      else
+        targets_[i].worst_cosine = cones_.worst_cosine(directed, targets_[i].direction);
+    }
+    global_.worst_cosine_of_mesh = maximizing && worst_of_mesh > 0 ? worst_of_mesh : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  void adapt_weights(const Mesh_quality& quality)
+  {
+    for (std::size_t v = 0; v < weights_.size(); ++v)
+      if (complex_.is_on_boundary[v]) {
+        const double q = quality.worst_around(complex_, static_cast<int>(v));
+        if (q < parameters_.wanted_quality)
+          weights_[v] = (std::max)(weights_[v] * parameters_.weight_relaxation, parameters_.least_weight);
+        else if (q > parameters_.wanted_quality + parameters_.wanted_margin)
+          weights_[v] = (std::min)(weights_[v] * parameters_.weight_tightening, parameters_.largest_weight);
+      }
+  }
+
+  // False when the targets stay, so that a restart would change nothing.
+  bool update_lengths(const Positions& points)
+  {
+    if (parameters_.length_update == Edge_length_update::NONE)
+      return false;
+    if (parameters_.length_update == Edge_length_update::SELECTIVE)
+      update_edge_lengths(complex_, points, Mesh_quality(complex_, points).scaled_jacobians, parameters_.length_update_sigma, lengths_);
+    else
+      lengths_ = edge_lengths(complex_, points);
+    double mean = 0;
+    for (double l : lengths_)
+      mean += l;
+    mean /= lengths_.size();
+    for (double& l : lengths_)
+      l = (std::max)(l, parameters_.least_length * mean);
+    return true;
+  }
+
+  // Section 3.6. Stops when the worst cone of the mesh no longer improves.
+  void maximize_minimum(Positions& points, Best& best, Run_control& control, double target_quality)
+  {
+    points = best.points;
+    double highest = best.quality.minimum;
+    std::size_t since = 0;
+    for (std::size_t i = 0; i < parameters_.maximization_iterations && since < 5; ++i) {
+      if (control.check_time() || best.quality_reaches(target_quality))
+        return;
+      const bool moved = iterate(points, 0, best, control, true);
+      ++since;
+      if (best.quality.minimum > highest + 1e-3) {
+        highest = best.quality.minimum;
+        since = 0;
+      }
+      if (control.is_stopped() || !moved)
+        return;
+    }
+  }
+
+  const Hexahedral_complex& complex_;
+  const Reference_surface& surface_;
+  const Boundary_attachment& attachment_;
+  const Rectification_parameters parameters_;
+  std::vector<double> lengths_;
+  Edge_cones cones_;
+  Global_step global_;
+  Reference_pull pull_;
+  std::vector<double> weights_;
+  std::vector<Target_direction> targets_;
+  std::size_t iteration_ = 0;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_EDGE_CONE_RECTIFICATION_H

@@ -1,0 +1,320 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_HEX_MESH_OPTIMIZER_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_HEX_MESH_OPTIMIZER_H
+
+// The whole optimization on flat arrays: from positions, hexahedra and a
+// reference, all checked, to better positions and a status.
+
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/internal/Edge_cone_rectification.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/deviation.h>
+#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
+#include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// A triangle surface as it is handed over; `sharp` are edges between its points.
+struct Reference_input
+{
+  Positions points;
+  std::vector<Triangle_indices> triangles;
+  Edge_list sharp;
+  bool sharp_is_given = false; // by the user: no detection, nothing dropped
+};
+
+// The edges of a triangle surface whose faces deviate from flat by more than the
+// bound, and those with one face or more than two.
+inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles, double angle_bound)
+{
+  std::vector<std::array<int, 3>> sides; // low, high, triangle
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+      sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<int>(t)});
+    }
+  std::sort(sides.begin(), sides.end());
+  const auto normal = [&](int t) {
+    const Vector_3& a = points[triangles[t][0]];
+    return Vector_3((points[triangles[t][1]] - a).cross(points[triangles[t][2]] - a));
+  };
+  const double bound = std::cos(angle_bound * 3.14159265358979323846 / 180);
+  Edge_list sharp;
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end][0] == sides[i][0] && sides[end][1] == sides[i][1])
+      ++end;
+    bool is_sharp = end - i != 2;
+    if (!is_sharp) {
+      const Vector_3 m = normal(sides[i][2]), n = normal(sides[i + 1][2]);
+      is_sharp = m.dot(n) < bound * m.norm() * n.norm();
+    }
+    if (is_sharp)
+      sharp.push_back({sides[i][0], sides[i][1]});
+    i = end;
+  }
+  return sharp;
+}
+
+class Hex_mesh_optimizer
+{
+public:
+  // Everything that can be wrong with the input is refused here, by Input_error.
+  // reference: null when the boundary of the mesh is its own reference.
+  Hex_mesh_optimizer(Positions points, std::vector<Hexahedron> hexahedra, const Reference_input* reference,
+                     std::vector<char> is_frozen, const Optimization_parameters& parameters)
+    : parameters_(parameters)
+    , control_(parameters.maximum_running_time, parameters.on_iteration)
+    , given_(std::move(points))
+    , complex_(given_.size(), checked(given_, hexahedra, reversed_))
+    , is_frozen_(std::move(is_frozen))
+  {
+    if (reference)
+      check(*reference);
+    normalize(reference);
+    build_reference(reference);
+  }
+
+  // Optimizes. positions() are then the best found, in the coordinates of the input.
+  Status run()
+  {
+    Status status;
+    status.orientation_reversed = reversed_;
+    status.before = quality_statistics(given_, complex_.hexahedra);
+    const Mesh_quality before(complex_, points_);
+    Positions best = points_;
+    const Edge_relations relations(complex_);
+    std::vector<double> lengths = target_lengths(relations);
+
+    const double start = control_.seconds();
+    Edge_cone_rectification rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification);
+    rectification.run(best, control_, parameters_.target_quality);
+    status.rectification_seconds = control_.seconds() - start;
+
+    write_back(best);
+    finish(status);
+    return status;
+  }
+
+  const Positions& positions() const { return result_; }
+
+private:
+  static const std::vector<Hexahedron>& checked(const Positions& points, std::vector<Hexahedron>& hexahedra, bool& reversed)
+  {
+    using Element = Input_error::Element;
+    if (hexahedra.empty())
+      throw Input_error(Element::MESH, 0, "the mesh has no hexahedra");
+    if (points.size() > std::size_t((std::numeric_limits<int>::max)()) / 8 ||
+        hexahedra.size() > std::size_t((std::numeric_limits<int>::max)()) / 24)
+      throw Input_error(Element::MESH, 0, "the mesh is larger than its indices can count");
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (!points[v].allFinite())
+        throw Input_error(Element::VERTEX, v, "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    for (std::size_t h = 0; h < hexahedra.size(); ++h)
+      for (int i = 0; i < 8; ++i) {
+        if (hexahedra[h][i] < 0 || std::size_t(hexahedra[h][i]) >= points.size())
+          throw Input_error(Element::HEXAHEDRON, h, "hexahedron " + std::to_string(h) + " refers to a vertex that does not exist");
+        for (int j = 0; j < i; ++j)
+          if (hexahedra[h][i] == hexahedra[h][j])
+            throw Input_error(Element::HEXAHEDRON, h, "hexahedron " + std::to_string(h) + " has vertex " +
+                                                        std::to_string(hexahedra[h][i]) + " at two corners");
+      }
+    reversed = enclosed_volume(points, hexahedra) < 0;
+    if (reversed)
+      for (Hexahedron& h : hexahedra)
+        for (int i = 0; i < 4; ++i)
+          std::swap(h[i], h[i + 4]);
+    return hexahedra;
+  }
+
+  // Six times the volume within the boundary: the faces between hexahedra cancel, so that a tangled interior does not
+  // matter. Negative when the hexahedra are numbered inside out.
+  static double enclosed_volume(const Positions& points, const std::vector<Hexahedron>& hexahedra)
+  {
+    const Vector_3 origin = points[hexahedra[0][0]];
+    double extent = 0;
+    for (const Hexahedron& h : hexahedra)
+      for (int v : h)
+        extent = (std::max)(extent, (points[v] - origin).cwiseAbs().maxCoeff());
+    double volume = 0;
+    for (const Hexahedron& h : hexahedra)
+      for (const auto& f : hexahedron_faces) {
+        Vector_3 p[4];
+        for (int i = 0; i < 4; ++i)
+          p[i] = (points[h[f[i]]] - origin) / extent;
+        volume += p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3])) + p[1].dot(p[2].cross(p[3])) + p[0].dot(p[1].cross(p[3]));
+      }
+    return volume;
+  }
+
+  static void check(const Reference_input& reference)
+  {
+    using Element = Input_error::Element;
+    for (std::size_t v = 0; v < reference.points.size(); ++v)
+      if (!reference.points[v].allFinite())
+        throw Input_error(Element::REFERENCE_VERTEX, v,
+                          "vertex " + std::to_string(v) + " of the reference surface has a coordinate that is not finite");
+    for (const Triangle_indices& t : reference.triangles) {
+      const Vector_3& a = reference.points[t[0]];
+      if ((reference.points[t[1]] - a).cross(reference.points[t[2]] - a).norm() > 0)
+        return;
+    }
+    throw Input_error(Element::MESH, 0, reference.triangles.empty() ? "the reference surface is empty"
+                                                                    : "the reference surface has no face with an area");
+  }
+
+  // The boundary terms have units of length², so that all weights presuppose a unit: the mean boundary edge.
+  void normalize(const Reference_input* reference)
+  {
+    unit_ = mean_boundary_edge_length(complex_, given_);
+    if (!(unit_ > 0) || !std::isfinite(unit_))
+      throw Input_error(Input_error::Element::MESH, 0, "all vertices of the boundary lie in one point, or too far apart for their coordinates");
+    center_ = Vector_3::Zero();
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < given_.size(); ++v)
+      if (complex_.is_on_boundary[v]) {
+        center_ += given_[v] / unit_;
+        ++count;
+      }
+    center_ = center_ / double(count) * unit_;
+    points_.reserve(given_.size());
+    for (const Vector_3& p : given_)
+      points_.push_back((p - center_) / unit_);
+    if (reference) {
+      Positions normalized;
+      normalized.reserve(reference->points.size());
+      for (const Vector_3& p : reference->points)
+        normalized.push_back((p - center_) / unit_);
+      surface_ = std::make_unique<Reference_surface>(std::move(normalized), reference->triangles);
+    }
+    else
+      surface_ = boundary_as_reference(complex_, points_);
+  }
+
+  void build_reference(const Reference_input* reference)
+  {
+    const Feature_parameters& features = parameters_.features;
+    if (reference) {
+      trace_feature_curves(*surface_,
+                           reference->sharp_is_given ? reference->sharp
+                                                     : sharp_edges(surface_->points, surface_->triangles, features.angle_bound),
+                           reference->sharp_is_given, features);
+      attachment_ = std::make_unique<Boundary_attachment>(Attachment_by_matching(complex_, points_, *surface_).attachment);
+    }
+    else {
+      trace_feature_curves(*surface_, sharp_boundary_edges(complex_, points_, features.angle_bound), false, features);
+      attachment_ = std::make_unique<Boundary_attachment>(attach_to_own_boundary(complex_, *surface_));
+    }
+    for (std::size_t v = 0; v < is_frozen_.size(); ++v)
+      if (is_frozen_[v] || (parameters_.fixed_boundary && complex_.is_on_boundary[v]))
+        attachment_->kind[v] = Vertex_kind::FIXED;
+  }
+
+  std::vector<double> target_lengths(const Edge_relations& relations) const
+  {
+    if (parameters_.target_length) {
+      std::vector<double> lengths(complex_.edges.size());
+      for (std::size_t e = 0; e < lengths.size(); ++e) {
+        const double given = parameters_.target_length(complex_.edges[e][0], complex_.edges[e][1]);
+        if (!(given > 0) || !std::isfinite(given))
+          throw Input_error(Input_error::Element::PARAMETER, e,
+                            "the target length of the edge from vertex " + std::to_string(complex_.edges[e][0]) + " to vertex " +
+                              std::to_string(complex_.edges[e][1]) + " is not positive and finite");
+        lengths[e] = given / unit_;
+      }
+      return lengths;
+    }
+    if (parameters_.target_edge_lengths == Target_edge_lengths::INPUT) {
+      std::vector<double> lengths = edge_lengths(complex_, points_);
+      for (double& l : lengths)
+        l = (std::max)(l, parameters_.rectification.least_length);
+      return lengths;
+    }
+    return estimate_edge_lengths(complex_, relations, points_);
+  }
+
+  // Rounding on the way back must not undo validity: the final statistics are those of the coordinates handed out.
+  void write_back(const Positions& best)
+  {
+    result_ = given_;
+    for (std::size_t v = 0; v < best.size(); ++v)
+      if (attachment_->kind[v] != Vertex_kind::FIXED && best[v] != points_[v])
+        result_[v] = best[v] * unit_ + center_;
+  }
+
+  void finish(Status& status)
+  {
+    status.after = quality_statistics(result_, complex_.hexahedra);
+    if (is_worse(status.after, status.before)) {
+      result_ = given_;
+      status.after = status.before;
+    }
+    for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
+      if (hexahedron_validity(hexahedron_coordinates(result_, complex_.hexahedra[h])) != Validity::VALID)
+        status.invalid_hexahedra.push_back(h);
+    Positions normalized;
+    normalized.reserve(result_.size());
+    for (const Vector_3& p : result_)
+      normalized.push_back((p - center_) / unit_);
+    status.deviation = deviation(complex_, normalized, *surface_, parameters_.measuring_spacing);
+    status.deviation.average *= unit_;
+    status.deviation.maximum *= unit_;
+    status.iterations = control_.iterations;
+    if (control_.is_stopped())
+      status.return_code = control_.return_code();
+    else if (result_ == given_)
+      status.return_code = Return_code::NO_IMPROVEMENT;
+    else if (status.valid_mesh() && status.after.minimum >= parameters_.target_quality)
+      status.return_code = Return_code::TARGET_QUALITY_REACHED;
+    else
+      status.return_code = Return_code::CONVERGED;
+    status.total_seconds = control_.seconds();
+  }
+
+  static bool is_worse(const Quality_statistics& now, const Quality_statistics& before)
+  {
+    if (now.number_of_inverted != before.number_of_inverted)
+      return now.number_of_inverted > before.number_of_inverted;
+    if (now.number_of_invalid != before.number_of_invalid)
+      return now.number_of_invalid > before.number_of_invalid;
+    return now.number_of_invalid == 0 && now.minimum < before.minimum;
+  }
+
+  const Optimization_parameters parameters_;
+  Run_control control_;
+  const Positions given_;
+  bool reversed_ = false;
+  const Hexahedral_complex complex_;
+  const std::vector<char> is_frozen_;
+  double unit_ = 1;
+  Vector_3 center_ = Vector_3::Zero();
+  Positions points_; // given_ in units of the mean boundary edge
+  std::unique_ptr<Reference_surface> surface_;
+  std::unique_ptr<Boundary_attachment> attachment_;
+  Positions result_;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_HEX_MESH_OPTIMIZER_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_QUALITY_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_QUALITY_H
+
+// The quality of all hexahedra at given positions, by which iterates compare.
+
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+#include <CGAL/Hex_mesh_optimization/validity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+struct Mesh_quality
+{
+  std::vector<double> scaled_jacobians; // of each hexahedron
+  std::size_t inverted = 0;             // with a corner ≤ 0
+  std::size_t invalid = 0;              // not certified; at least the inverted ones
+  double minimum = 1, average = 0;
+
+  Mesh_quality(const Hexahedral_complex& complex, const Positions& points)
+    : scaled_jacobians(complex.hexahedra.size())
+  {
+    for (std::size_t h = 0; h < scaled_jacobians.size(); ++h) {
+      const Hexahedron_coordinates x = hexahedron_coordinates(points, complex.hexahedra[h]);
+      const double q = scaled_jacobians[h] = scaled_jacobian(x);
+      inverted += q <= 0;
+      invalid += q <= 0 || hexahedron_validity(x) != Validity::VALID;
+      minimum = (std::min)(minimum, q);
+      average += q;
+    }
+    average /= scaled_jacobians.size();
+  }
+
+  // The worst hexahedron around a vertex.
+  double worst_around(const Hexahedral_complex& complex, int v) const
+  {
+    double worst = 1;
+    for (int h : complex.vertex_hexahedra[v])
+      worst = (std::min)(worst, scaled_jacobians[h]);
+    return worst;
+  }
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_QUALITY_H

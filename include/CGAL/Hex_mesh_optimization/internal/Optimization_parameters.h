@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_OPTIMIZATION_PARAMETERS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_OPTIMIZATION_PARAMETERS_H
+
+// Everything a caller can choose, with its default.
+
+#include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/Rectification_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * How to optimize.
+ */
+enum class Method
+{
+  FULL,         ///< Edge-cone rectification, then quality maximization.
+  RECTIFICATION ///< Edge-cone rectification alone: the method of the paper.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * Where target edge lengths come from when no map gives them.
+ */
+enum class Target_edge_lengths
+{
+  ESTIMATED, ///< From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper).
+  INPUT      ///< The lengths in the input: for meshes that are graded on purpose and not tangled.
+};
+
+namespace internal {
+
+struct Optimization_parameters
+{
+  Method method = Method::FULL;
+  bool fixed_boundary = false;
+  double target_quality = std::numeric_limits<double>::infinity();
+  double maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
+  Target_edge_lengths target_edge_lengths = Target_edge_lengths::ESTIMATED;
+  std::function<double(std::size_t, std::size_t)> target_length; // of the edge between two vertices; empty: see above
+  std::function<bool(const Iteration&)> on_iteration;
+  Feature_parameters features;
+  Rectification_parameters rectification;
+  double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
+};
+
+} // namespace internal
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_OPTIMIZATION_PARAMETERS_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_DEVIATION_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_DEVIATION_H
+
+// The two-sided distance between the boundary of the mesh and the reference.
+
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface_samples.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+inline double bounding_box_diagonal(const Reference_surface& surface)
+{
+  Eigen::AlignedBox3d box;
+  for (const Triangle_indices& t : surface.triangles)
+    for (int v : t)
+      box.extend(surface.points[v]);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+// Distances from points spread over one surface to the other. O(samples · log triangles).
+inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, double spacing, Deviation& deviation)
+{
+  double sum = 0, weight = 0, largest = 0;
+  for (const Surface_sample& sample : spread_samples(from.points, from.triangles, spacing)) {
+    const double distance = (to.closest_point(sample.point).point - sample.point).norm();
+    sum += sample.area * distance;
+    weight += sample.area;
+    largest = (std::max)(largest, distance);
+  }
+  if (weight > 0)
+    deviation.average = (std::max)(deviation.average, sum / weight);
+  deviation.maximum = (std::max)(deviation.maximum, largest);
+}
+
+inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points, const Reference_surface& reference,
+                           double spacing)
+{
+  Deviation result;
+  const std::unique_ptr<Reference_surface> boundary = boundary_as_reference(complex, points);
+  if (boundary->is_empty() || reference.is_empty())
+    return result;
+  extend_deviation(*boundary, reference, spacing, result);
+  extend_deviation(reference, *boundary, spacing, result);
+  const double diagonal = bounding_box_diagonal(reference);
+  result.average_relative = result.average / diagonal;
+  result.maximum_relative = result.maximum / diagonal;
+  return result;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_DEVIATION_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// CGAL reads its list of named parameters from a header of this path. This one
+// hands on CGAL's own list and appends the parameters of Hex_mesh_optimization,
+// so that they chain with all others. No include guard: CGAL reads it repeatedly.
+
+#include_next <CGAL/STL_Extension/internal/parameters_interface.h>
+
+#include <CGAL/version.h>
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_NO_NAMED_PARAMETERS
+#if CGAL_VERSION_NR < 1060000000
+CGAL_add_named_parameter(features_angle_bound_t, features_angle_bound, features_angle_bound)
+#endif
+CGAL_add_named_parameter(hex_optimization_method_t, hex_optimization_method, optimization_method)
+CGAL_add_named_parameter(hex_fixed_boundary_t, hex_fixed_boundary, fixed_boundary)
+CGAL_add_named_parameter(hex_target_quality_t, hex_target_quality, target_quality)
+CGAL_add_named_parameter(hex_target_edge_lengths_t, hex_target_edge_lengths, target_edge_lengths)
+CGAL_add_named_parameter(hex_target_edge_length_map_t, hex_target_edge_length_map, target_edge_length_map)
+CGAL_add_named_parameter(hex_number_of_restarts_t, hex_number_of_restarts, number_of_restarts)
+CGAL_add_named_parameter(hex_length_update_t, hex_length_update, edge_length_update)
+CGAL_add_named_parameter(hex_surface_weight_t, hex_surface_weight, surface_weight)
+CGAL_add_named_parameter(hex_feature_weight_t, hex_feature_weight, feature_weight)
+CGAL_add_named_parameter(hex_regularization_weight_t, hex_regularization_weight, regularization_weight)
+CGAL_add_named_parameter(hex_cone_angle_bound_t, hex_cone_angle_bound, cone_angle_bound)
+CGAL_add_named_parameter(hex_maximize_minimum_quality_t, hex_maximize_minimum_quality, maximize_minimum_quality)
+CGAL_add_named_parameter(hex_maximum_deviation_t, hex_maximum_deviation, maximum_deviation)
+#endif

@@ -1,0 +1,343 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_OPTIMIZE_HEX_MESH_H
+#define CGAL_OPTIMIZE_HEX_MESH_H
+
+// The function of the package: moves the vertices of a hexahedral mesh until it
+// is valid and as good as its connectivity allows.
+
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/named_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/reference_input.h>
+#include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Hex_mesh_optimization {
+namespace internal {
+
+template <class T>
+struct Is_named_parameters : std::false_type {};
+template <class T, class Tag, class Base>
+struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type {};
+
+template <class T, class = void>
+struct Is_linear_cell_complex : std::false_type {};
+template <class T>
+struct Is_linear_cell_complex<T, std::void_t<typename T::Dart_range, typename T::Vertex_attribute_range>> : std::true_type {};
+
+// They tell the four overloads apart.
+template <class LCC, class T>
+using Enable_for_reference = std::enable_if_t<Is_linear_cell_complex<LCC>::value && !Is_named_parameters<T>::value, int>;
+template <class LCC, class T>
+using Enable_for_parameters = std::enable_if_t<Is_linear_cell_complex<LCC>::value && Is_named_parameters<T>::value, int>;
+template <class PointRange, class T, bool last>
+using Enable_for_ranges = std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && Is_named_parameters<T>::value == last, int>;
+
+template <class HexahedronRange>
+std::vector<Hexahedron> engine_hexahedra(const HexahedronRange& hexahedra)
+{
+  std::vector<Hexahedron> result;
+  result.reserve(hexahedra.size());
+  for (const auto& h : hexahedra) {
+    const auto count = std::distance(std::begin(h), std::end(h));
+    if (count != 8)
+      throw Input_error(Input_error::Element::HEXAHEDRON, result.size(),
+                        "cell " + std::to_string(result.size()) + " has " + std::to_string(count) +
+                          " vertices: it is not a hexahedron");
+    Hexahedron hexahedron;
+    auto corner = std::begin(h);
+    for (int& v : hexahedron) {
+      const auto index = static_cast<unsigned long long>(*corner++); // negative ones become huge
+      v = index > 0x7fffffffull ? -1 : static_cast<int>(index);
+    }
+    result.push_back(hexahedron);
+  }
+  return result;
+}
+
+template <class PointRange>
+Positions engine_positions(const PointRange& points)
+{
+  Positions result;
+  result.reserve(points.size());
+  for (const auto& p : points)
+    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  return result;
+}
+
+// point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
+template <class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
+Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys, const Reference_input* reference,
+                const NamedParameters& np, PointOf point)
+{
+  const Positions before = engine_positions(points);
+  Hex_mesh_optimizer optimizer(before, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys),
+                               optimization_parameters(np, keys));
+  const Status status = optimizer.run();
+  const Positions& after = optimizer.positions();
+  for (std::size_t v = 0; v < after.size(); ++v)
+    if (before[v] != after[v])
+      point(v) = typename std::iterator_traits<decltype(std::begin(points))>::value_type(after[v][0], after[v][1], after[v][2]);
+  return status;
+}
+
+template <class PointRange, class HexahedronRange, class NamedParameters>
+Status optimize_ranges(PointRange& points, const HexahedronRange& hexahedra, const Reference_input* reference,
+                       const NamedParameters& np)
+{
+  std::vector<std::size_t> keys(points.size());
+  std::iota(keys.begin(), keys.end(), std::size_t(0));
+  return optimize(points, hexahedra, keys, reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
+}
+
+template <class LCC, class NamedParameters>
+Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, const NamedParameters& np)
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  std::vector<typename Linear_cell_complex_types<LCC>::Vertex> vertices;
+  linear_cell_complex_to_hexahedra(lcc, points, hexahedra, vertices);
+  return optimize(points, hexahedra, vertices, reference, np,
+                  [&](std::size_t v) -> auto& { return lcc.point_of_vertex_attribute(vertices[v]); });
+}
+
+} // namespace internal
+} // namespace Hex_mesh_optimization
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * moves the vertices of a hexahedral mesh so that no hexahedron is inverted, the worst and the average scaled Jacobian
+ * become as high as the connectivity allows, and the boundary stays on a reference surface with its features. The
+ * connectivity does not change. Vertices of the mesh boundary are attached to corners, feature curves and the smooth
+ * part of the reference.
+ *
+ * What the call guarantees for every input it accepts:
+ * - the number of inverted hexahedra does not rise; a valid mesh stays valid and its minimum scaled Jacobian does not
+ *   fall: if the optimization finds nothing better, all positions stay;
+ * - constrained vertices, and all boundary vertices if the boundary is fixed, keep their coordinates bit for bit;
+ * - if it throws, no vertex has moved;
+ * - the result does not depend on the unit of length, up to rounding.
+ *
+ * That the result is valid is no guarantee but is certified where it holds: `Status::valid_mesh()`.
+ *
+ * \tparam LCC `Linear_cell_complex_for_combinatorial_map` or `Linear_cell_complex_for_generalized_map` of dimension 3
+ *         and ambient dimension 3, with any items and storage
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param lcc the mesh; all its volumes are combinatorial hexahedra
+ * \param reference the surface that the boundary of the mesh represents
+ * \param np optional named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of `reference`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key}
+ *     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, reference)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{the feature edges of `reference`; takes the place of their detection by angle}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key and `bool` as value}
+ *     \cgalParamDefault{edges are detected, see `features_angle_bound`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{features_angle_bound}
+ *     \cgalParamDescription{an edge of the reference is sharp if the normals of its faces differ by more than this
+ *                           angle in degrees. Curves that end after a few edges in a smooth region are ignored.}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{45}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_is_constrained_map}
+ *     \cgalParamDescription{the vertices of the mesh that must not move}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the descriptor of a vertex attribute of `LCC` as key
+ *                    (`std::size_t` for index ranges) and `bool` as value}
+ *     \cgalParamDefault{no vertex is constrained}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{fixed_boundary}
+ *     \cgalParamDescription{whether no vertex of the boundary may move}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{optimization_method}
+ *     \cgalParamDescription{which stages are run}
+ *     \cgalParamType{`Hex_mesh_optimization::Method`}
+ *     \cgalParamDefault{`Hex_mesh_optimization::Method::FULL`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{target_quality}
+ *     \cgalParamDescription{the optimization ends as soon as the mesh is valid and its minimum scaled Jacobian at least this}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{none: it goes on while the mesh improves}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{target_edge_lengths}
+ *     \cgalParamDescription{where the target lengths of the edges come from}
+ *     \cgalParamType{`Hex_mesh_optimization::Target_edge_lengths`}
+ *     \cgalParamDefault{`Hex_mesh_optimization::Target_edge_lengths::ESTIMATED`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{target_edge_length_map}
+ *     \cgalParamDescription{the target length of every edge, in place of `target_edge_lengths`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with a `std::pair` of two keys of `vertex_is_constrained_map` as
+ *                    key, in any order, and a number as value}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_length_update}
+ *     \cgalParamDescription{what becomes of the target lengths when the iterations have settled}
+ *     \cgalParamType{`Hex_mesh_optimization::Edge_length_update`}
+ *     \cgalParamDefault{`Hex_mesh_optimization::Edge_length_update::FULL`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the most local-global iterations before the target lengths are updated}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{20}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_restarts}
+ *     \cgalParamDescription{how often the rectification starts again with updated target lengths}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{2}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{surface_weight}
+ *     \cgalParamDescription{\f$ \beta \f$ of the paper, eq. 21: the weight that holds vertices on the smooth surface, in
+ *                           a mesh whose boundary edges have mean length 1; adapted at each vertex}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{100}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{feature_weight}
+ *     \cgalParamDescription{\f$ \alpha \f$ of the paper, eq. 21: the same for feature curves and corners}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{200}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{regularization_weight}
+ *     \cgalParamDescription{factor of the regularization, eq. 19 of the paper}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{cone_angle_bound}
+ *     \cgalParamDescription{the largest angle in degrees between the axis of a cone and its base normals that the local
+ *                           step accepts, \f$ \arccos \varepsilon \f$ in eq. 10 of the paper}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{85}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximize_minimum_quality}
+ *     \cgalParamDescription{whether rectification raises the worst cones once all are valid, Section 3.6 of the paper}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{seconds after which the best state so far is returned}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{sees every iteration and can end the optimization, see `Hex_mesh_optimization::Default_visitor`;
+ *                           pass `std::ref(visitor)` to keep what it collects}
+ *     \cgalParamType{a class with the member function of `Hex_mesh_optimization::Default_visitor`}
+ *     \cgalParamDefault{`Hex_mesh_optimization::Default_visitor`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{verbose}
+ *     \cgalParamDescription{whether a line per iteration goes to `std::cerr`}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return why the optimization stopped, the quality before and after, the deviation from the reference and the
+ *         hexahedra that are not valid
+ *
+ * \throws Hex_mesh_optimization::Input_error if the mesh is empty, has a cell that is no hexahedron, a hexahedron with a
+ *         repeated vertex, a coordinate that is not finite, or a boundary that is not a manifold; if the reference is
+ *         empty, not triangulated, or has a coordinate that is not finite; or if a parameter has no usable value
+ *
+ * Source: Marco Livesu, Alla Sheffer, Nicholas Vining, Marco Tarini, <em>Practical Hex-Mesh Optimization via Edge-Cone
+ * Rectification</em>, ACM Transactions on Graphics 34(4), 2015.
+ *
+ * Each iteration solves sparse linear systems by conjugate gradients and queries AABB trees: its time grows slightly
+ * faster than linearly in the number of hexahedra, its memory linearly.
+ */
+template <class LCC, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , Hex_mesh_optimization::internal::Enable_for_reference<LCC, TriangleMesh> = 0
+#endif
+          >
+Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& reference,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  const Reference_input surface = reference_input(reference, np);
+  return optimize_linear_cell_complex(lcc, &surface, np);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface. Its quadrangles
+ * are split into triangles from their first corners. `features_angle_bound` applies to the quadrangles.
+ */
+template <class LCC, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , Hex_mesh_optimization::internal::Enable_for_parameters<LCC, NamedParameters> = 0
+#endif
+          >
+Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters& np = parameters::default_values())
+{
+  return Hex_mesh_optimization::internal::optimize_linear_cell_complex(lcc, nullptr, np);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * optimizes as above a mesh given by its points and, for each hexahedron, the indices of its eight vertices: the first
+ * four around the bottom, counter-clockwise seen from inside, the other four above them (the numbering of VTK and Medit).
+ * Points that no hexahedron uses are kept. Hexahedra all numbered inside out are accepted and reported by
+ * `Status::orientation_reversed`; `hexahedra` itself is not changed.
+ *
+ * \tparam PointRange a model of `RandomAccessContainer` of 3D points
+ * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight integers
+ */
+template <class PointRange, class HexahedronRange, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, TriangleMesh, false> = 0
+#endif
+          >
+Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra, const TriangleMesh& reference,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  const Reference_input surface = reference_input(reference, np);
+  return optimize_ranges(points, hexahedra, &surface, np);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface.
+ */
+template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, NamedParameters, true> = 0
+#endif
+          >
+Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  return Hex_mesh_optimization::internal::optimize_ranges(points, hexahedra, nullptr, np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_OPTIMIZE_HEX_MESH_H
