@@ -99,10 +99,17 @@ Cone random_cone(std::mt19937& random, bool with_surface)
   case 0: // two hexahedra with parallel bases
     cone.normals[1] = cone.normals[0];
     break;
-  case 2: // all bases but one alike: one plane cuts the direction off near the sphere
-    for (std::size_t k = 1; k < valence; ++k)
-      cone.normals[k] = (cone.normals[1] + .1 * random_direction(random)).normalized();
+  case 2:
+  case 3: { // all bases but one or two alike: planes cut the direction off near the sphere
+    const Vector common = random_direction(random);
+    for (Vector& n : cone.normals)
+      n = (common + .1 * random_direction(random)).normalized();
+    const Vector across = common.unitOrthogonal();
+    cone.normals[0] = (across + .4 * random_direction(random)).normalized();
+    if (random() % 2)
+      cone.normals[1] = (common.cross(across) + .4 * random_direction(random)).normalized();
     break;
+  }
   case 1: { // a fan around a ruled surface
     const Vector plane = random_direction(random);
     for (Vector& n : cone.normals)
@@ -255,7 +262,7 @@ TEST(Cone_direction, is_found_by_search)
 {
   std::mt19937 random(11);
   int feasible = 0, infeasible = 0;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE(i);
     const Cone cone = random_cone(random, i % 2 == 1);
     const Cone_direction solved = cone.solved();
