@@ -63,6 +63,7 @@ public:
     best.highest_minimum = best.quality.minimum;
     best.least_minimum = best.quality.invalid == 0 ? best.quality.minimum : -1;
     iteration_ = 0;
+    is_valid_ = best.quality.invalid == 0;
     for (std::size_t restart = 0; restart <= parameters_.restarts && !control.is_stopped(); ++restart) {
       global_.set_target_lengths(lengths_);
       for (std::size_t i = 0; i < parameters_.iterations; ++i) {
@@ -116,11 +117,43 @@ private:
       pull_reference(points);
     const Positions before = points;
     const double energy = global_.minimize(targets_, points);
+    if (is_valid_)
+      hold_back(before, points);
     const Mesh_quality quality(complex_, points);
+    is_valid_ = quality.invalid == 0;
     adapt_weights(quality);
     best.offer(points, quality);
     control.after_iteration(Stage::RECTIFICATION, iteration_++, energy, quality);
     return Global_step::largest_move(before, points) >= parameters_.convergence;
+  }
+
+  // From a valid state, vertices whose move would make a hexahedron invalid, or would lose most of the quality of a
+  // poor one, go only part of the way: otherwise single hexahedra keep flipping for ever.
+  void hold_back(const Positions& before, Positions& points) const
+  {
+    std::vector<double> share(points.size(), 1.0);
+    const Positions full = points;
+    for (int attempt = 0; attempt < parameters_.hold_back_attempts; ++attempt) {
+      std::vector<char> hold(points.size(), false);
+      bool any = false;
+      for (const Hexahedron& h : complex_.hexahedra) {
+        const Hexahedron_coordinates x = hexahedron_coordinates(points, h);
+        const double q = scaled_jacobian(x);
+        if (q > parameters_.hold_back_quality)
+          continue;
+        if (q < parameters_.hold_back_loss * scaled_jacobian(hexahedron_coordinates(before, h)) || hexahedron_validity(x) != Validity::VALID)
+          for (int v : h)
+            hold[v] = any = true;
+      }
+      if (!any)
+        return;
+      const bool last = attempt + 2 >= parameters_.hold_back_attempts;
+      for (std::size_t v = 0; v < points.size(); ++v)
+        if (hold[v]) {
+          share[v] = last ? 0 : share[v] / 2;
+          points[v] = before[v] + share[v] * (full[v] - before[v]);
+        }
+    }
   }
 
   // The pull gives way where the vertices had to be let go.
@@ -210,6 +243,7 @@ private:
   void maximize_minimum(Positions& points, Best& best, Run_control& control, double target_quality)
   {
     points = best.points;
+    is_valid_ = true;
     double highest = best.quality.minimum;
     std::size_t since = 0;
     for (std::size_t i = 0; i < parameters_.maximization_iterations && since < 5; ++i) {
@@ -237,6 +271,7 @@ private:
   std::vector<double> weights_;
   std::vector<Target_direction> targets_;
   std::size_t iteration_ = 0;
+  bool is_valid_ = false;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -65,16 +65,22 @@ struct Rectification_parameters
   double tangential_fade = .8;
   // Boundary weights relax where the worst hexahedron around a vertex is below wanted_quality and tighten where it is
   // above by the margin.
-  double wanted_quality = .3;
+  double wanted_quality = .4;
   double wanted_margin = .1;
   double weight_relaxation = .7;
   double weight_tightening = 1.3;
   double least_weight = .02;
   double largest_weight = 100;
 
+  // In a valid state, a move may not cost a hexahedron below the quality more than this factor; it is halved so often
+  // before it is taken back.
+  double hold_back_quality = .3;
+  double hold_back_loss = .5;
+  int hold_back_attempts = 8;
+
   // Once all hexahedra are valid, samples of the reference farther from the boundary than the tolerance pull it back.
   double reference_spacing = .5;
-  double pull_tolerance = .02;
+  double pull_tolerance = .05;
   double pull_weight = 30;
 
   // Section 3.6: raise the worst cones once all are valid.
