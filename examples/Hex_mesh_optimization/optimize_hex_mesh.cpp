@@ -1,0 +1,443 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command-line program: reads a hexahedral mesh, optimizes it, writes it,
+// and tells what became of it.
+
+#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/IO/surface.h>
+#include <CGAL/optimize_hex_mesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Json = nlohmann::ordered_json;
+
+enum Exit_code
+{
+  VALID_MESH = 0,
+  INVALID_ELEMENTS_REMAIN = 1,
+  USAGE_ERROR = 2,
+  UNUSABLE_FILE = 3
+};
+
+const char* const exit_codes =
+  "The format of a mesh (.mesh, .vtk, .vtu) and of a surface (also .off, .obj, .stl, .ply) is told by the extension.\n"
+  "Interrupted (Ctrl-C), the program writes the best mesh so far; interrupted twice, it ends without.\n"
+  "Vertices and hexahedra are counted from 0, in the order of the file.\n"
+  "\n"
+  "Exit codes:\n"
+  "  0  OUTPUT is written and valid\n"
+  "  1  OUTPUT is written, but invalid hexahedra remain\n"
+  "  2  wrong usage; nothing is written\n"
+  "  3  a file cannot be read, used or written, or memory is short; OUTPUT is not written";
+
+struct Options
+{
+  const HMO::internal::Optimization_parameters defaults;
+
+  std::string input, output, reference, frozen, json;
+  double features_angle = defaults.features.angle_bound;
+  bool fixed_boundary = defaults.fixed_boundary;
+  std::string method = "full";
+  std::string edge_lengths = "estimated";
+  std::size_t iterations = defaults.rectification.iterations;
+  std::size_t restarts = defaults.rectification.restarts;
+  double time_limit = defaults.maximum_running_time;
+  double target_quality = defaults.target_quality;
+  int threads = 1;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& app, Options& o)
+{
+  const CLI::Validator count = CLI::Range(std::size_t(0), std::size_t(1000000)).description("");
+  app.footer(exit_codes);
+  app.get_formatter()->column_width(34);
+  app.add_option("INPUT", o.input, "the mesh to optimize")->required();
+  app.add_option("OUTPUT", o.output, "the file to write; may be INPUT")->required();
+  app.add_option("--reference", o.reference, "the surface that the boundary represents (default: the boundary as it is)")
+    ->type_name("SURFACE");
+  app.add_option("--features-angle", o.features_angle, "an edge is sharp if the normals beside it differ by more than this")
+    ->type_name("DEGREES")->check(CLI::Range(0., 180.).description(""))->capture_default_str();
+  app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
+  app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")->type_name("FILE");
+  app.add_option("--method", o.method, "rectification alone, or with the maximization of quality after it (full)")
+    ->type_name("METHOD")->check(CLI::IsMember({"full", "rectification"}))->capture_default_str();
+  app.add_option("--edge-lengths", o.edge_lengths,
+                 "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
+    ->type_name("LENGTHS")->check(CLI::IsMember({"estimated", "input"}))->capture_default_str();
+  app.add_option("--iterations", o.iterations, "the most local-global iterations before target lengths are updated")
+    ->type_name("N")->check(count)->capture_default_str();
+  app.add_option("--restarts", o.restarts, "how often rectification starts again with updated target lengths")
+    ->type_name("N")->check(count)->capture_default_str();
+  app.add_option("--target-quality", o.target_quality, "stop once the mesh is valid and its minimum scaled Jacobian this good")
+    ->type_name("QUALITY");
+  app.add_option("--time-limit", o.time_limit, "stop after that time and write the best mesh so far")
+    ->type_name("SECONDS")->check(CLI::Range(0., 1e9).description(""));
+  app.add_option("--threads", o.threads, "number of threads (this version uses one)")
+    ->type_name("N")->check(CLI::Range(1, 1024).description(""))->capture_default_str();
+  app.add_option("--json", o.json, "write the report, with every iteration, to this file")->type_name("FILE");
+  app.add_flag("--quiet", o.quiet, "print nothing but errors");
+}
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void interrupt(int signal)
+{
+  is_interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// Remembers every iteration, shows the latest on a terminal, and ends the
+// optimization when the user interrupts the program.
+class Watcher
+{
+public:
+  explicit Watcher(bool quiet)
+    : shows_progress_(!quiet && is_terminal())
+  {}
+
+  bool on_iteration(const HMO::Iteration& i)
+  {
+    iterations_.push_back(i);
+    if (shows_progress_ && i.seconds >= next_) {
+      next_ = i.seconds + .1; // no terminal needs more
+      std::fprintf(stderr, "\r%.1f s  %s %zu: %zu inverted, scaled Jacobian minimum %.3f, mean %.3f\033[K", i.seconds,
+                   i.stage == HMO::Stage::RECTIFICATION ? "rectification" : "maximization", i.iteration, i.number_of_inverted,
+                   i.minimum, i.average);
+      std::fflush(stderr);
+    }
+    return !is_interrupted;
+  }
+
+  ~Watcher()
+  {
+    if (next_ > 0)
+      std::fprintf(stderr, "\r\033[K");
+  }
+
+  const std::vector<HMO::Iteration>& iterations() const { return iterations_; }
+
+private:
+  static bool is_terminal()
+  {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(STDERR_FILENO) != 0;
+#endif
+  }
+
+  const bool shows_progress_;
+  double next_ = 0; // seconds
+  std::vector<HMO::Iteration> iterations_;
+};
+
+struct Mesh
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  CGAL::IO::Hex_mesh_attachments attachments;
+
+  Kernel::Point_3 center(std::size_t h) const
+  {
+    Kernel::Vector_3 sum(0, 0, 0);
+    for (std::size_t v : hexahedra[h])
+      sum = sum + (points[v] - CGAL::ORIGIN) / 8;
+    return CGAL::ORIGIN + sum;
+  }
+};
+
+// Throws now what would be thrown after all the work.
+void check_writable(const std::string& filename)
+{
+  std::error_code ignored;
+  const auto status = std::filesystem::status(filename, ignored);
+  if (std::filesystem::is_other(status)) // to open a pipe is to use it
+    return;
+  CGAL::IO::internal::Atomic_file unused(filename);
+}
+
+void check_output(const std::string& filename)
+{
+  const std::string extension = CGAL::IO::internal::extension_of(filename);
+  if (extension != "mesh" && extension != "vtk" && extension != "vtu")
+    CGAL::IO::internal::refuse_extension(filename);
+  check_writable(filename);
+}
+
+std::set<std::size_t> read_vertices(const std::string& filename, std::size_t number_of_vertices)
+{
+  std::ifstream in(filename);
+  if (!in)
+    throw CGAL::IO::Hex_mesh_file_error(filename, 0, "cannot open the file for reading");
+  std::set<std::size_t> vertices;
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    std::istringstream words(line);
+    long long v = -1;
+    if ((words >> std::ws).eof())
+      continue;
+    if (!(words >> v) || v < 0 || static_cast<unsigned long long>(v) >= number_of_vertices || !(words >> std::ws).eof())
+      throw CGAL::IO::Hex_mesh_file_error(filename, number, "this is no number of a vertex: " + line);
+    vertices.insert(static_cast<std::size_t>(v));
+  }
+  return vertices;
+}
+
+HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
+{
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+
+  std::set<std::size_t> frozen;
+  if (!o.frozen.empty())
+    frozen = read_vertices(o.frozen, mesh.points.size());
+  const auto np =
+    CGAL::parameters::features_angle_bound(o.features_angle)
+      .fixed_boundary(o.fixed_boundary)
+      .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
+      .optimization_method(o.method == "full" ? HMO::Method::FULL : HMO::Method::RECTIFICATION)
+      .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT : HMO::Target_edge_lengths::ESTIMATED)
+      .number_of_iterations(o.iterations)
+      .number_of_restarts(o.restarts)
+      .target_quality(o.target_quality)
+      .maximum_running_time(o.time_limit)
+      .visitor(std::ref(watcher));
+  Surface_mesh reference;
+  if (!o.reference.empty())
+    CGAL::IO::read_surface(o.reference, reference);
+  return o.reference.empty() ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np)
+                             : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference, np);
+}
+
+const char* in_words(HMO::Return_code code)
+{
+  switch (code) {
+  case HMO::Return_code::CONVERGED: return "further iterations would not improve the mesh";
+  case HMO::Return_code::TARGET_QUALITY_REACHED: return "the target quality is reached";
+  case HMO::Return_code::ITERATION_LIMIT: return "the iterations were used up while the mesh still improved";
+  case HMO::Return_code::TIME_LIMIT: return "the time limit was reached";
+  case HMO::Return_code::STOPPED_BY_VISITOR: return "interrupted";
+  case HMO::Return_code::NO_IMPROVEMENT: return "nothing better than the input was found, which is unchanged";
+  }
+  return "";
+}
+
+template <class Number>
+std::string text(Number x)
+{
+  std::ostringstream out;
+  out << std::setprecision(4) << x;
+  return out.str();
+}
+
+void print_row(const std::string& title, const std::string& before, const std::string& after)
+{
+  std::cout << std::left << std::setw(32) << title << std::right << std::setw(12) << before << std::setw(12) << after << '\n';
+}
+
+void print_report(const HMO::Status& status, const Mesh& mesh)
+{
+  const auto row = [&status](const char* title, auto HMO::Quality_statistics::*number) {
+    print_row(title, text(status.before.*number), text(status.after.*number));
+  };
+  print_row("", "before", "after");
+  row("hexahedra", &HMO::Quality_statistics::number_of_hexahedra);
+  row("inverted", &HMO::Quality_statistics::number_of_inverted);
+  row("invalid", &HMO::Quality_statistics::number_of_invalid);
+  row("minimum scaled Jacobian", &HMO::Quality_statistics::minimum);
+  row("mean scaled Jacobian", &HMO::Quality_statistics::average);
+  row("standard deviation", &HMO::Quality_statistics::standard_deviation);
+  row("99th percentile of edge ratio", &HMO::Quality_statistics::edge_ratio_99);
+  print_row("average deviation / diagonal", "", text(status.deviation.average_relative));
+  print_row("maximum deviation / diagonal", "", text(status.deviation.maximum_relative));
+  print_row("seconds", "", text(status.total_seconds));
+
+  std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
+  if (status.orientation_reversed)
+    std::cout << "The hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
+  if (status.valid_mesh()) {
+    std::cout << "The mesh is valid.\n";
+    return;
+  }
+  const std::vector<std::size_t>& invalid = status.invalid_hexahedra;
+  const std::size_t shown = (std::min)(invalid.size(), std::size_t(20));
+  std::cout << "THE MESH IS NOT VALID. Invalid hexahedra and their centers"
+            << (shown < invalid.size() ? ", the first " + text(shown) + " of " + text(invalid.size()) : std::string()) << ":\n";
+  for (std::size_t i = 0; i < shown; ++i)
+    std::cout << std::setw(10) << invalid[i] << "  (" << mesh.center(invalid[i]) << ")\n";
+}
+
+// The report has the members of the structs, and the enumerators, under their own names.
+Json json(HMO::Return_code code)
+{
+  switch (code) {
+  case HMO::Return_code::CONVERGED: return "CONVERGED";
+  case HMO::Return_code::TARGET_QUALITY_REACHED: return "TARGET_QUALITY_REACHED";
+  case HMO::Return_code::ITERATION_LIMIT: return "ITERATION_LIMIT";
+  case HMO::Return_code::TIME_LIMIT: return "TIME_LIMIT";
+  case HMO::Return_code::STOPPED_BY_VISITOR: return "STOPPED_BY_VISITOR";
+  case HMO::Return_code::NO_IMPROVEMENT: return "NO_IMPROVEMENT";
+  }
+  return Json();
+}
+
+Json json(const HMO::Quality_statistics& s)
+{
+  return {{"number_of_hexahedra", s.number_of_hexahedra},
+          {"number_of_inverted", s.number_of_inverted},
+          {"number_of_invalid", s.number_of_invalid},
+          {"minimum", s.minimum},
+          {"average", s.average},
+          {"standard_deviation", s.standard_deviation},
+          {"minimum_with_center", s.minimum_with_center},
+          {"average_with_center", s.average_with_center},
+          {"maximum_edge_ratio", s.maximum_edge_ratio},
+          {"median_edge_ratio", s.median_edge_ratio},
+          {"edge_ratio_99", s.edge_ratio_99}};
+}
+
+Json json(const HMO::Iteration& i)
+{
+  return {{"stage", i.stage == HMO::Stage::RECTIFICATION ? "RECTIFICATION" : "MAXIMIZATION"},
+          {"iteration", i.iteration},
+          {"energy", i.energy},
+          {"number_of_inverted", i.number_of_inverted},
+          {"minimum", i.minimum},
+          {"average", i.average},
+          {"seconds", i.seconds}};
+}
+
+// Numbers that are not finite become null.
+Json json(const Options& o)
+{
+  return {{"input", o.input},
+          {"output", o.output},
+          {"reference", o.reference.empty() ? Json() : Json(o.reference)},
+          {"features_angle", o.features_angle},
+          {"fixed_boundary", o.fixed_boundary},
+          {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
+          {"method", o.method},
+          {"edge_lengths", o.edge_lengths},
+          {"iterations", o.iterations},
+          {"restarts", o.restarts},
+          {"target_quality", o.target_quality},
+          {"time_limit", o.time_limit},
+          {"threads", o.threads}};
+}
+
+Json json(const HMO::Status& status, const Mesh& mesh)
+{
+  Json invalid = Json::array();
+  for (std::size_t h : status.invalid_hexahedra) {
+    const Kernel::Point_3 c = mesh.center(h);
+    invalid.push_back({{"id", h}, {"center", {c.x(), c.y(), c.z()}}});
+  }
+  return {{"return_code", json(status.return_code)},
+          {"valid_mesh", status.valid_mesh()},
+          {"orientation_reversed", status.orientation_reversed},
+          {"before", json(status.before)},
+          {"after", json(status.after)},
+          {"deviation",
+           {{"average", status.deviation.average},
+            {"maximum", status.deviation.maximum},
+            {"average_relative", status.deviation.average_relative},
+            {"maximum_relative", status.deviation.maximum_relative}}},
+          {"iterations", status.iterations},
+          {"rectification_seconds", status.rectification_seconds},
+          {"maximization_seconds", status.maximization_seconds},
+          {"total_seconds", status.total_seconds},
+          {"invalid_hexahedra", invalid}};
+}
+
+void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh, const std::vector<HMO::Iteration>& iterations)
+{
+  Json report = {{"options", json(options)}, {"status", json(status, mesh)}, {"iterations", Json::array()}};
+  for (const HMO::Iteration& i : iterations)
+    report["iterations"].push_back(json(i));
+  CGAL::IO::internal::Atomic_file file(options.json);
+  file.text() = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names may be in any encoding
+  file.commit();
+}
+
+Exit_code run(const Options& options)
+{
+  check_output(options.output);
+  if (!options.json.empty())
+    check_writable(options.json);
+
+  Mesh mesh;
+  CGAL::IO::read_hex_mesh(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
+
+  HMO::Status status;
+  std::vector<HMO::Iteration> iterations;
+  {
+    Watcher watcher(options.quiet);
+    status = optimize(mesh, options, watcher);
+    iterations = watcher.iterations();
+  }
+  if (status.orientation_reversed)
+    for (auto& h : mesh.hexahedra)
+      std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+
+  CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+  if (!options.quiet)
+    print_report(status, mesh);
+  if (!options.json.empty())
+    write_json(options, status, mesh, iterations);
+  return status.valid_mesh() ? VALID_MESH : INVALID_ELEMENTS_REMAIN;
+}
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Moves the vertices of a hexahedral mesh until no hexahedron is inverted and all are as good as the connectivity allows.");
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : USAGE_ERROR; // 0: --help
+  }
+
+  try {
+    return run(options);
+  } catch (const HMO::Input_error& error) {
+    std::cerr << "error: " << error.message() << '\n';
+    return error.element() == HMO::Input_error::Element::PARAMETER ? USAGE_ERROR : UNUSABLE_FILE;
+  } catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return UNUSABLE_FILE;
+  }
+}

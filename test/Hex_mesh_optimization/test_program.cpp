@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program optimize_hex_mesh as other programs see it: what it writes, what
+// it prints, and its exit codes.
+
+#include <CGAL/Hex_mesh_optimization/IO/medit.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace fs = std::filesystem;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+
+struct Mesh
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  CGAL::IO::Hex_mesh_attachments attachments;
+};
+
+// Each test runs in a folder of its own.
+class Program : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder = fs::absolute(std::string("program_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+
+  void TearDown() override { fs::remove_all(folder); }
+
+  // The exit code of a shell command, in which $PROGRAM is the program.
+  int shell(const std::string& command)
+  {
+    const std::string line = "cd '" + folder.string() + "' && PROGRAM='" OPTIMIZE_HEX_MESH "' && { " + command + "; } >stdout 2>stderr";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  int run(const std::string& arguments) { return shell("\"$PROGRAM\" " + arguments); }
+
+  bool exists(const std::string& name) const { return fs::exists(folder / name); }
+
+  std::string text(const std::string& name) const
+  {
+    std::ifstream in(folder / name);
+    EXPECT_TRUE(in) << name;
+    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(text(name)); }
+
+  void write(const std::string& name, const Mesh& mesh) const
+  {
+    CGAL::IO::write_medit_hex_mesh((folder / name).string(), mesh.points, mesh.hexahedra, mesh.attachments);
+  }
+
+  Mesh read(const std::string& name) const
+  {
+    Mesh mesh;
+    CGAL::IO::read_medit_hex_mesh((folder / name).string(), mesh.points, mesh.hexahedra, mesh.attachments);
+    return mesh;
+  }
+
+  static Mesh tangled_block()
+  {
+    Mesh mesh;
+    HMO::make_block(mesh.points, mesh.hexahedra, {{4, 4, 4}});
+    HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
+    return mesh;
+  }
+
+  // A corner of the boundary is pushed out through the opposite side.
+  static Mesh hopeless_block()
+  {
+    Mesh mesh;
+    HMO::make_block(mesh.points, mesh.hexahedra, {{2, 2, 2}});
+    mesh.points[0] = Point(2, 2, 2);
+    return mesh;
+  }
+
+  fs::path folder;
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(Program, repairs_a_tangled_mesh_and_prints_a_table)
+{
+  const Mesh input = tangled_block();
+  write("in.mesh", input);
+  EXPECT_EQ(run("in.mesh out.mesh"), 0);
+
+  const Mesh output = read("out.mesh");
+  EXPECT_EQ(output.hexahedra, input.hexahedra);
+  EXPECT_EQ(output.points.size(), input.points.size());
+  EXPECT_EQ(HMO::quality_statistics(output.points, output.hexahedra).number_of_invalid, 0u);
+
+  const std::string table = text("stdout");
+  for (const char* title : {"before", "after", "inverted", "invalid", "minimum", "mean", "standard deviation", "edge ratio",
+                            "average deviation", "maximum deviation", "seconds", "Stopped after", "The mesh is valid."})
+    EXPECT_TRUE(contains(table, title)) << title << " in\n" << table;
+  EXPECT_EQ(text("stderr"), "") << "progress is for terminals";
+}
+
+TEST_F(Program, takes_options_before_the_file_names)
+{
+  write("in.mesh", tangled_block());
+  write("cube.off", "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                    "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  EXPECT_EQ(run("--method rectification in.mesh out.vtk --reference cube.off --json out.json"), 0) << text("stderr");
+  EXPECT_TRUE(exists("out.vtk"));
+  const nlohmann::json report = json("out.json");
+  EXPECT_EQ(report["options"]["method"], "rectification");
+  EXPECT_EQ(report["options"]["reference"], "cube.off");
+  EXPECT_LT(report["status"]["deviation"]["maximum_relative"], .02);
+}
+
+TEST_F(Program, prints_nothing_when_quiet)
+{
+  write("in.mesh", tangled_block());
+  EXPECT_EQ(run("in.mesh out.mesh --quiet"), 0);
+  EXPECT_EQ(text("stdout") + text("stderr"), "");
+  write("hopeless.mesh", hopeless_block());
+  EXPECT_EQ(run("hopeless.mesh out.mesh --quiet --fixed-boundary"), 1);
+  EXPECT_EQ(text("stdout") + text("stderr"), "");
+}
+
+TEST_F(Program, reports_every_iteration_in_json)
+{
+  write("in.mesh", tangled_block());
+  EXPECT_EQ(run("in.mesh out.mesh --json out.json"), 0);
+  const nlohmann::json report = json("out.json");
+  const nlohmann::json& status = report["status"];
+  EXPECT_TRUE(status["return_code"].is_string());
+  EXPECT_EQ(status["valid_mesh"], true);
+  EXPECT_EQ(status["orientation_reversed"], false);
+  EXPECT_EQ(status["invalid_hexahedra"], nlohmann::json::array());
+  EXPECT_GT(status["before"]["number_of_inverted"], 0);
+  EXPECT_EQ(status["after"]["number_of_inverted"], 0);
+  EXPECT_GT(status["total_seconds"], 0.);
+
+  const Mesh output = read("out.mesh");
+  EXPECT_EQ(status["after"]["minimum"], HMO::quality_statistics(output.points, output.hexahedra).minimum)
+    << "the numbers are those of the file, to the last bit";
+
+  ASSERT_TRUE(report["iterations"].is_array());
+  EXPECT_EQ(report["iterations"].size(), status["iterations"]);
+  EXPECT_GT(report["iterations"].size(), 0u);
+  for (const nlohmann::json& iteration : report["iterations"])
+    for (const char* number : {"iteration", "energy", "number_of_inverted", "minimum", "average", "seconds"})
+      EXPECT_TRUE(iteration[number].is_number()) << number;
+}
+
+TEST_F(Program, lists_the_hexahedra_that_stay_invalid)
+{
+  const Mesh input = hopeless_block();
+  write("in.mesh", input);
+  EXPECT_EQ(run("in.mesh out.mesh --fixed-boundary --json out.json"), 1);
+  EXPECT_TRUE(contains(text("stdout"), "NOT VALID"));
+  EXPECT_EQ(read("out.mesh").points[0], input.points[0]);
+
+  const nlohmann::json status = json("out.json")["status"];
+  EXPECT_EQ(status["valid_mesh"], false);
+  ASSERT_EQ(status["invalid_hexahedra"].size(), status["after"]["number_of_invalid"]);
+  ASSERT_GT(status["invalid_hexahedra"].size(), 0u);
+  EXPECT_EQ(status["invalid_hexahedra"][0]["id"], 0);
+  EXPECT_EQ(status["invalid_hexahedra"][0]["center"].size(), 3u);
+}
+
+TEST_F(Program, refuses_wrong_usage)
+{
+  write("in.mesh", tangled_block());
+  EXPECT_EQ(run(""), 2);
+  EXPECT_EQ(run("in.mesh"), 2);
+  for (const char* option : {"--unknown", "superfluous", "--threads 0", "--threads -1", "--method other", "--iterations -1",
+                             "--features-angle 200", "--features-angle x", "--time-limit -1", "--target-quality nan", "--json"}) {
+    EXPECT_EQ(run(std::string("in.mesh out.mesh ") + option), 2) << option;
+    EXPECT_NE(text("stderr"), "") << option;
+  }
+  EXPECT_FALSE(exists("out.mesh"));
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_TRUE(contains(text("stdout"), "Exit codes"));
+}
+
+TEST_F(Program, writes_nothing_when_a_file_is_unusable)
+{
+  Mesh mesh = tangled_block();
+  write("in.mesh", mesh);
+  write("garbage.mesh", "no mesh at all\n");
+  write("frozen_out_of_range.txt", "0\n125\n");
+  write("frozen_garbage.txt", "0 1\n");
+  mesh.hexahedra[3][1] = mesh.hexahedra[3][0];
+  write("repeated_vertex.mesh", mesh);
+  mesh.hexahedra.clear();
+  write("no_hexahedra.mesh", mesh);
+  fs::create_directory(folder / "folder.mesh");
+  for (const char* arguments :
+       {"missing.mesh out.mesh", "garbage.mesh out.mesh", "repeated_vertex.mesh out.mesh", "no_hexahedra.mesh out.mesh",
+        "in.mesh out.unknown", "in.mesh missing/out.mesh", "in.mesh folder.mesh", "in.mesh out.mesh --reference missing.off",
+        "in.mesh out.mesh --reference garbage.mesh", "in.mesh out.mesh --frozen missing.txt",
+        "in.mesh out.mesh --frozen frozen_out_of_range.txt", "in.mesh out.mesh --frozen frozen_garbage.txt",
+        "in.mesh out.mesh --json missing/out.json"}) {
+    EXPECT_EQ(run(arguments), 3) << arguments;
+    EXPECT_TRUE(contains(text("stderr"), "error: ")) << arguments;
+    EXPECT_EQ(text("stdout"), "") << arguments;
+    EXPECT_FALSE(exists("out.mesh")) << arguments;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 9) << "no temporary file is left";
+
+  write("out.mesh", "precious");
+  EXPECT_EQ(run("garbage.mesh out.mesh"), 3);
+  EXPECT_EQ(text("out.mesh"), "precious");
+}
+
+TEST_F(Program, looks_at_the_output_before_the_input)
+{
+  EXPECT_EQ(run("missing.mesh missing/out.mesh"), 3);
+  EXPECT_TRUE(contains(text("stderr"), "missing/out.mesh"));
+}
+
+TEST_F(Program, renumbers_hexahedra_that_are_inside_out)
+{
+  const Mesh right = tangled_block();
+  Mesh reversed = right;
+  for (auto& h : reversed.hexahedra)
+    std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+  write("in.mesh", reversed);
+  EXPECT_EQ(run("in.mesh out.mesh --json out.json"), 0);
+  EXPECT_EQ(read("out.mesh").hexahedra, right.hexahedra);
+  EXPECT_TRUE(contains(text("stdout"), "inside out"));
+  EXPECT_EQ(json("out.json")["status"]["orientation_reversed"], true);
+}
+
+TEST_F(Program, keeps_labels_and_other_sections)
+{
+  Mesh input = tangled_block();
+  for (std::size_t v = 0; v < input.points.size(); ++v)
+    input.attachments.vertex_labels.push_back(static_cast<int>(v % 5));
+  for (std::size_t h = 0; h < input.hexahedra.size(); ++h)
+    input.attachments.hexahedron_labels.push_back(static_cast<int>(h % 3));
+  input.attachments.other_sections = "Corners\n2\n1\n5\nRequiredVertices\n1\n1\n";
+  write("in.mesh", input);
+  EXPECT_EQ(run("in.mesh out.mesh"), 0);
+  const Mesh output = read("out.mesh");
+  EXPECT_EQ(output.attachments.vertex_labels, input.attachments.vertex_labels);
+  EXPECT_EQ(output.attachments.hexahedron_labels, input.attachments.hexahedron_labels);
+  for (const char* section : {"Corners", "RequiredVertices"})
+    EXPECT_TRUE(contains(output.attachments.other_sections, section)) << section;
+}
+
+TEST_F(Program, may_replace_its_input)
+{
+  write("in.mesh", tangled_block());
+  EXPECT_EQ(run("in.mesh in.mesh"), 0);
+  const Mesh output = read("in.mesh");
+  EXPECT_EQ(HMO::quality_statistics(output.points, output.hexahedra).number_of_invalid, 0u);
+}
+
+TEST_F(Program, does_not_move_frozen_vertices)
+{
+  Mesh input;
+  HMO::make_block(input.points, input.hexahedra, {{4, 4, 4}});
+  HMO::scramble_interior(input.points, input.hexahedra, 1, .5);
+  write("in.mesh", input);
+  std::string odd;
+  for (std::size_t v = 1; v < input.points.size(); v += 2)
+    odd += std::to_string(v) + "\n\n";
+  write("frozen.txt", odd);
+  run("in.mesh out.mesh --frozen frozen.txt");
+  const Mesh output = read("out.mesh");
+  bool moved = false;
+  for (std::size_t v = 0; v < input.points.size(); ++v)
+    if (v % 2 == 0)
+      moved = moved || output.points[v] != input.points[v];
+    else
+      EXPECT_EQ(output.points[v], input.points[v]) << v;
+  EXPECT_TRUE(moved);
+}
+
+TEST_F(Program, writes_the_best_so_far_when_the_time_is_over)
+{
+  write("in.mesh", tangled_block());
+  const int code = run("in.mesh out.mesh --time-limit 0 --json out.json");
+  const nlohmann::json status = json("out.json")["status"];
+  EXPECT_EQ(code, status["valid_mesh"] ? 0 : 1);
+  EXPECT_EQ(status["return_code"], "TIME_LIMIT");
+  EXPECT_EQ(read("out.mesh").hexahedra.size(), 64u);
+}
+
+TEST_F(Program, writes_the_best_so_far_when_interrupted)
+{
+  write("in.mesh", tangled_block());
+  // It has the mesh and listens for signals when it opens the pipe.
+  const int code = shell("mkfifo frozen.txt; \"$PROGRAM\" in.mesh out.mesh --frozen frozen.txt --json out.json & "
+                         "kill -INT $! > frozen.txt; wait $!");
+  const nlohmann::json report = json("out.json");
+  EXPECT_EQ(code, report["status"]["valid_mesh"] ? 0 : 1);
+  EXPECT_EQ(report["status"]["return_code"], "STOPPED_BY_VISITOR");
+  EXPECT_EQ(report["iterations"].size(), 1u);
+  EXPECT_TRUE(contains(text("stdout"), "interrupted"));
+  EXPECT_EQ(read("out.mesh").hexahedra.size(), 64u);
+}
+
+} // namespace
