@@ -13,6 +13,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
@@ -102,7 +103,6 @@ public:
     Status status;
     status.orientation_reversed = reversed_;
     status.before = quality_statistics(given_, complex_.hexahedra);
-    const Mesh_quality before(complex_, points_);
     Positions best = points_;
     const Edge_relations relations(complex_);
     std::vector<double> lengths = target_lengths(relations);
@@ -111,6 +111,13 @@ public:
     Edge_cone_rectification rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification);
     rectification.run(best, control_, parameters_.target_quality);
     status.rectification_seconds = control_.seconds() - start;
+
+    if (parameters_.method == Method::FULL && !control_.is_stopped()) {
+      const double middle = control_.seconds();
+      Quality_maximization maximization(complex_, *surface_, *attachment_, lengths, parameters_.maximization);
+      maximization.run(best, control_, parameters_.target_quality);
+      status.maximization_seconds = control_.seconds() - middle;
+    }
 
     write_back(best);
     finish(status);

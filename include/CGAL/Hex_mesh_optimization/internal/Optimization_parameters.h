@@ -7,6 +7,7 @@
 // Everything a caller can choose, with its default.
 
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Rectification_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
 
@@ -50,6 +51,7 @@ struct Optimization_parameters
   std::function<bool(const Iteration&)> on_iteration;
   Feature_parameters features;
   Rectification_parameters rectification;
+  Maximization_parameters maximization;
   double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
 };
 

@@ -30,11 +30,13 @@ struct Boundary_attachment
   std::vector<Vertex_kind> kind;
   std::vector<int> curve;  // of a FEATURE vertex
   Positions corner;        // the place of a CORNER vertex
+  std::vector<int> curve_of_edge; // the curve that an edge of the boundary represents, or -1
 
   explicit Boundary_attachment(const Hexahedral_complex& complex)
     : kind(complex.number_of_vertices(), Vertex_kind::INTERIOR)
     , curve(complex.number_of_vertices(), -1)
     , corner(complex.number_of_vertices(), Vector_3::Zero())
+    , curve_of_edge(complex.edges.size(), -1)
   {
     for (std::size_t v = 0; v < kind.size(); ++v)
       if (!complex.is_used[v])
@@ -49,12 +51,16 @@ struct Boundary_attachment
     corner[v] = place;
   }
 
-  void to_curve(int v, int c)
+  // The vertices, one boundary edge apart, represent a curve; corners among them stay corners.
+  void to_curve(const Hexahedral_complex& complex, const std::vector<int>& vertices, int c)
   {
-    if (kind[v] == Vertex_kind::SURFACE) {
-      kind[v] = Vertex_kind::FEATURE;
-      curve[v] = c;
-    }
+    for (int v : vertices)
+      if (kind[v] == Vertex_kind::SURFACE) {
+        kind[v] = Vertex_kind::FEATURE;
+        curve[v] = c;
+      }
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+      curve_of_edge[complex.find_edge(vertices[i], vertices[i + 1]) / 2] = c;
   }
 };
 
@@ -98,8 +104,7 @@ inline Boundary_attachment attach_to_own_boundary(const Hexahedral_complex& comp
   for (int v : surface.corners)
     attachment.to_corner(v, surface.points[v]);
   for (std::size_t c = 0; c < surface.curves.size(); ++c)
-    for (int v : surface.curves[c]->vertices)
-      attachment.to_curve(v, static_cast<int>(c));
+    attachment.to_curve(complex, surface.curves[c]->vertices, static_cast<int>(c));
   return attachment;
 }
 
@@ -180,13 +185,12 @@ private:
         return;
       for (std::size_t i = 0; i + 1 < part.size(); ++i)
         length += (points_[part[i + 1]] - points_[part[i]]).norm();
-      path.insert(path.end(), part.begin(), part.end());
+      path.insert(path.end(), part.begin() + (path.empty() ? 0 : 1), part.end());
     }
     // a path that takes another way round is no match
     if (length > 2 * curve.length || 2 * length < curve.length)
       return;
-    for (int v : path)
-      attachment.to_curve(v, c);
+    attachment.to_curve(complex_, path, c);
   }
 
   // Dijkstra over boundary edges; leaving the curve by one edge length costs ten edges.

@@ -33,12 +33,12 @@ Reference_input reference_input(const TriangleMesh& tmesh, const NamedParameters
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tmesh));
   Reference_input result;
   std::unordered_map<Vertex, int> index;
-  for (const Vertex v : CGAL::vertices(tmesh)) {
+  for (const Vertex v : vertices(tmesh)) {
     const auto& p = get(point_map, v);
     index.emplace(v, static_cast<int>(result.points.size()));
     result.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
-  for (const auto f : CGAL::faces(tmesh)) {
+  for (const auto f : faces(tmesh)) {
     Triangle_indices triangle;
     int k = 0;
     for (const Vertex v : CGAL::vertices_around_face(halfedge(f, tmesh), tmesh)) {
@@ -57,7 +57,7 @@ Reference_input reference_input(const TriangleMesh& tmesh, const NamedParameters
   if constexpr (!std::is_same_v<Constraint, internal_np::Param_not_found>) {
     const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
     result.sharp_is_given = true;
-    for (const auto e : CGAL::edges(tmesh))
+    for (const auto e : edges(tmesh))
       if (get(is_constrained, e))
         result.sharp.push_back({index[source(e, tmesh)], index[target(e, tmesh)]});
   }

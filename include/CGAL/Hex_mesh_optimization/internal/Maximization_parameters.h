@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_PARAMETERS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_PARAMETERS_H
+
+// The numbers of quality maximization. Lengths are in units of the mean boundary edge.
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+struct Maximization_parameters
+{
+  std::size_t iterations = 60;
+  // Exponent of the norm over the corners of a hexahedron: 4 to 8 lift the worst corner without losing the average.
+  double norm_exponent = 8;
+  double norm_offset = 1e-3;
+  // Weight of −log s, which keeps corners from crossing zero.
+  double barrier_weight = .02;
+  // Weight of the exterior floor ½ ρ max(0, τ − s)², and how far above the worst corner it stands, at most.
+  double floor_weight = 300;
+  double floor_step = .2;
+  double floor_limit = .8;
+  // Weight of the mean ratio relative to the target lengths: without it hexahedra are squashed into slabs, to which the
+  // scaled Jacobian is blind.
+  double shape_weight = .3;
+  // Attachment of the boundary: weight and scale of the distance.
+  double attachment_weight = .2;
+  double attachment_scale = .001;
+  double edge_sample_weight = .5;
+  // Multipliers of the attachment, one a boundary vertex.
+  double start_multiplier = 1;
+  double least_multiplier = .02;
+  double largest_multiplier = 2;
+  double relaxed_step = 1;
+  double relaxed_quality = .66;
+  double relaxed_margin = .05;
+  double relaxation = .7;
+  double tightening = 1.1;
+  // Deviation at which the attachment tightens whatever the quality.
+  double deviation_budget = .4;
+  double pull_tolerance = .05;
+  double pull_weight = 1;
+  double reference_spacing = .5;
+  // Conjugate gradients.
+  double solver_tolerance = .1;
+  int solver_iterations = 200;
+  // Sufficient decrease and least step of the line search.
+  double armijo = 1e-4;
+  int line_search_steps = 12;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_PARAMETERS_H

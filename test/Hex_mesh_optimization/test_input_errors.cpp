@@ -1,0 +1,477 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Unusable input is refused by name before anything moves; unusual input is handled.
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/optimize_hex_mesh.h>
+
+#include "mesh_families.h"
+
+#include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace params = CGAL::parameters;
+using Element = HMO::Input_error::Element;
+using Point = Indexed_mesh::Point;
+using Points = std::vector<Point>;
+using Surface_mesh = CGAL::Surface_mesh<Point>;
+using Cells = std::vector<std::vector<int>>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A mesh whose cells can be anything
+struct Mesh
+{
+  Points points;
+  Cells cells;
+};
+
+Mesh block(std::size_t nx, std::size_t ny, std::size_t nz, bool is_tangled = true)
+{
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{nx, ny, nz}}, {{double(nx), double(ny), double(nz)}});
+  if (is_tangled)
+    HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
+  Mesh result{mesh.points, {}};
+  for (const auto& h : mesh.hexahedra)
+    result.cells.emplace_back(h.begin(), h.end());
+  return result;
+}
+
+bool is_same(const Point& a, const Point& b)
+{
+  for (int d = 0; d < 3; ++d)
+    if (a[d] != b[d] && !(std::isnan(a[d]) && std::isnan(b[d])))
+      return false;
+  return true;
+}
+
+template <class Optimize>
+void expect_refused(Points& points, Element element, std::size_t index, const std::string& words, const Optimize& optimize)
+{
+  const Points before = points;
+  try {
+    optimize();
+    ADD_FAILURE() << "nothing was thrown";
+  }
+  catch (const HMO::Input_error& error) {
+    EXPECT_EQ(int(error.element()), int(element)) << error.message();
+    EXPECT_EQ(error.element_index(), index) << error.message();
+    EXPECT_NE(error.message().find(words), std::string::npos) << error.message();
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+  ASSERT_EQ(points.size(), before.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    EXPECT_TRUE(is_same(points[v], before[v])) << v;
+}
+
+void expect_refused(Mesh mesh, Element element, std::size_t index, const std::string& words)
+{
+  expect_refused(mesh.points, element, index, words, [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells); });
+}
+
+TEST(Input_errors, of_an_empty_mesh)
+{
+  expect_refused(Mesh(), Element::MESH, 0, "no hexahedra");
+  expect_refused(Mesh{{Point(0, 0, 0), Point(1, 0, 0)}, {}}, Element::MESH, 0, "no hexahedra");
+}
+
+TEST(Input_errors, of_a_cell_with_seven_or_nine_vertices)
+{
+  Mesh mesh = block(3, 3, 3);
+  mesh.cells[5].pop_back();
+  expect_refused(mesh, Element::HEXAHEDRON, 5, "7 vertices");
+  mesh = block(3, 3, 3);
+  mesh.cells[26].push_back(0);
+  expect_refused(mesh, Element::HEXAHEDRON, 26, "9 vertices");
+}
+
+TEST(Input_errors, of_an_index_out_of_range)
+{
+  for (int bad : {64, 1000000, std::numeric_limits<int>::max(), -1, std::numeric_limits<int>::min()}) {
+    Mesh mesh = block(3, 3, 3);
+    mesh.cells[7][3] = bad;
+    expect_refused(mesh, Element::HEXAHEDRON, 7, "hexahedron 7");
+  }
+  Mesh mesh = block(3, 3, 3);
+  std::vector<std::array<std::size_t, 8>> cells;
+  for (const auto& c : mesh.cells) {
+    cells.emplace_back();
+    std::copy(c.begin(), c.end(), cells.back().begin());
+  }
+  cells[2][0] = std::size_t(1) << 32; // would be 0 if it were cut off
+  expect_refused(mesh.points, Element::HEXAHEDRON, 2, "hexahedron 2", [&] { CGAL::optimize_hex_mesh(mesh.points, cells); });
+  cells[2][0] = std::numeric_limits<std::size_t>::max();
+  expect_refused(mesh.points, Element::HEXAHEDRON, 2, "hexahedron 2", [&] { CGAL::optimize_hex_mesh(mesh.points, cells); });
+}
+
+TEST(Input_errors, of_a_vertex_at_two_corners)
+{
+  Mesh mesh = block(3, 3, 3);
+  mesh.cells[9][6] = mesh.cells[9][1];
+  expect_refused(mesh, Element::HEXAHEDRON, 9, "vertex " + std::to_string(mesh.cells[9][1]));
+}
+
+TEST(Input_errors, of_a_coordinate_that_is_not_finite)
+{
+  for (double bad : {nan, infinity, -infinity})
+    for (int d = 0; d < 3; ++d) {
+      Mesh mesh = block(3, 3, 3);
+      double x[3] = {.5, .5, .5};
+      x[d] = bad;
+      mesh.points[21] = Point(x[0], x[1], x[2]);
+      expect_refused(mesh, Element::VERTEX, 21, "vertex 21");
+    }
+}
+
+TEST(Input_errors, of_three_hexahedra_on_a_face)
+{
+  Mesh mesh = block(2, 1, 1);
+  const std::vector<int> c = mesh.cells[1];
+  for (int i = 0; i < 4; ++i)
+    mesh.points.push_back(Point(1.5, i, 2));
+  mesh.cells.push_back({c[0], 12, 13, c[3], c[4], 14, 15, c[7]});
+  expect_refused(mesh, Element::HEXAHEDRON, 2, "third");
+}
+
+TEST(Input_errors, of_neighbors_with_opposite_orientations)
+{
+  Mesh mesh = block(2, 1, 1);
+  std::swap_ranges(mesh.cells[1].begin(), mesh.cells[1].begin() + 4, mesh.cells[1].begin() + 4);
+  expect_refused(mesh, Element::HEXAHEDRON, 1, "orientation");
+}
+
+TEST(Input_errors, of_a_boundary_that_is_not_a_manifold_along_an_edge)
+{
+  Mesh mesh = block(2, 2, 1);
+  mesh.cells = {mesh.cells[0], mesh.cells[3]};
+  expect_refused(mesh, Element::HEXAHEDRON, 0, "not a manifold along the edge");
+}
+
+TEST(Input_errors, of_a_boundary_that_is_not_a_manifold_at_a_vertex)
+{
+  Mesh mesh = block(2, 2, 2, false);
+  std::size_t center = 0;
+  while (mesh.points[center] != Point(1, 1, 1))
+    ++center;
+  mesh.cells = {mesh.cells[0], mesh.cells[7]};
+  expect_refused(mesh, Element::VERTEX, center, "not a manifold at vertex " + std::to_string(center));
+}
+
+TEST(Input_errors, of_a_mesh_in_one_point)
+{
+  Mesh mesh = block(2, 2, 2);
+  for (Point& p : mesh.points)
+    p = Point(3, 4, 5);
+  expect_refused(mesh, Element::MESH, 0, "in one point");
+}
+
+TEST(Input_errors, name_the_first_element_at_fault)
+{
+  Mesh mesh = block(3, 3, 3);
+  mesh.points[30] = mesh.points[40] = Point(0, nan, 0);
+  expect_refused(mesh, Element::VERTEX, 30, "vertex 30");
+  mesh = block(3, 3, 3);
+  mesh.cells[4][0] = mesh.cells[8][0] = -5;
+  expect_refused(mesh, Element::HEXAHEDRON, 4, "hexahedron 4");
+}
+
+// --- References ----------------------------------------------------------------------
+
+Surface_mesh cube(double size)
+{
+  Surface_mesh surface;
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{1, 1, 1}}, {{size, size, size}});
+  for_boundary(mesh, [&](const Point& p) { return surface.add_vertex(p); },
+               [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) { surface.add_face(a, b, c); });
+  return surface;
+}
+
+void expect_refused(const Surface_mesh& reference, Element element, std::size_t index, const std::string& words)
+{
+  Mesh mesh = block(3, 3, 3);
+  expect_refused(mesh.points, element, index, words, [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, reference); });
+}
+
+TEST(Input_errors, of_an_empty_reference)
+{
+  expect_refused(Surface_mesh(), Element::MESH, 0, "reference surface is empty");
+  Surface_mesh without_faces;
+  without_faces.add_vertex(Point(0, 0, 0));
+  expect_refused(without_faces, Element::MESH, 0, "reference surface is empty");
+}
+
+TEST(Input_errors, of_a_reference_with_a_quad)
+{
+  Surface_mesh surface = cube(3);
+  const auto a = surface.add_vertex(Point(9, 0, 0)), b = surface.add_vertex(Point(10, 0, 0)), c = surface.add_vertex(Point(10, 1, 0)),
+             d = surface.add_vertex(Point(9, 1, 0));
+  surface.add_face(a, b, c, d);
+  expect_refused(surface, Element::REFERENCE_FACE, 12, "not triangulated");
+}
+
+TEST(Input_errors, of_a_reference_with_a_coordinate_that_is_not_finite)
+{
+  for (double bad : {nan, infinity}) {
+    Surface_mesh surface = cube(3);
+    surface.point(Surface_mesh::Vertex_index(5)) = Point(0, bad, 0);
+    expect_refused(surface, Element::REFERENCE_VERTEX, 5, "vertex 5");
+  }
+}
+
+TEST(Input_errors, of_a_reference_without_area)
+{
+  Surface_mesh surface = cube(3);
+  for (const auto v : surface.vertices())
+    surface.point(v) = Point(1, 2, 3);
+  expect_refused(surface, Element::MESH, 0, "no face with an area");
+}
+
+// A reference with some faces of no area is usual
+TEST(Input_errors, are_not_raised_for_single_degenerate_reference_faces)
+{
+  Surface_mesh surface = cube(3);
+  const auto a = surface.add_vertex(Point(3, 3, 3)), b = surface.add_vertex(Point(3, 3, 3)), c = surface.add_vertex(Point(3, 3, 3));
+  surface.add_face(a, b, c);
+  Mesh mesh = block(3, 3, 3);
+  const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface);
+  EXPECT_TRUE(status.valid_mesh());
+}
+
+// --- Parameters ------------------------------------------------------------------------
+
+template <class NamedParameters>
+void expect_bad_parameter(const std::string& name, const NamedParameters& np)
+{
+  SCOPED_TRACE(name);
+  Mesh mesh = block(3, 3, 3);
+  expect_refused(mesh.points, Element::PARAMETER, 0, name, [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, np); });
+}
+
+TEST(Input_errors, of_parameters_without_a_usable_value)
+{
+  expect_bad_parameter("target_quality", params::target_quality(nan));
+  for (double bad : {-1., nan})
+    expect_bad_parameter("maximum_running_time", params::maximum_running_time(bad));
+  for (double bad : {-1., 181., nan, infinity})
+    expect_bad_parameter("features_angle_bound", params::features_angle_bound(bad));
+  for (double bad : {0., -1., nan, infinity})
+    expect_bad_parameter("surface_weight", params::surface_weight(bad));
+  for (double bad : {0., -1., nan, infinity})
+    expect_bad_parameter("feature_weight", params::feature_weight(bad));
+  for (double bad : {-1., nan, infinity})
+    expect_bad_parameter("regularization_weight", params::regularization_weight(bad));
+  for (double bad : {0., -1., 90., 100., nan})
+    expect_bad_parameter("cone_angle_bound", params::cone_angle_bound(bad));
+}
+
+struct Length
+{
+  using key_type = std::pair<std::size_t, std::size_t>;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+  double value;
+  friend double get(const Length& map, const key_type& edge)
+  {
+    return edge == key_type(0, 1) || edge == key_type(1, 0) ? map.value : 1;
+  }
+};
+
+TEST(Input_errors, of_target_lengths_that_are_not_positive)
+{
+  for (double bad : {0., -1., nan, infinity}) {
+    Mesh mesh = block(3, 3, 3);
+    expect_refused(mesh.points, Element::PARAMETER, 0, "from vertex 0 to vertex 1",
+                   [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, params::target_edge_length_map(Length{bad})); });
+  }
+}
+
+// --- Linear cell complexes ---------------------------------------------------------------
+
+using LCC = CGAL::Linear_cell_complex_for_combinatorial_map<3>;
+
+TEST(Input_errors, of_an_empty_linear_cell_complex)
+{
+  LCC lcc;
+  EXPECT_THROW(CGAL::optimize_hex_mesh(lcc), HMO::Input_error);
+}
+
+TEST(Input_errors, of_a_volume_that_is_not_a_hexahedron)
+{
+  LCC lcc;
+  using P = LCC::Point;
+  lcc.make_hexahedron(P(0, 0, 0), P(1, 0, 0), P(1, 1, 0), P(0, 1, 0), P(0, 1, 1), P(0, 0, 1), P(1, 0, 1), P(1, 1, 1));
+  lcc.make_tetrahedron(P(5, 0, 0), P(6, 0, 0), P(5, 1, 0), P(5, 0, 1));
+  std::vector<P> before;
+  for (auto it = lcc.vertex_attributes().begin(); it != lcc.vertex_attributes().end(); ++it)
+    before.push_back(it->point());
+  try {
+    CGAL::optimize_hex_mesh(lcc);
+    ADD_FAILURE() << "nothing was thrown";
+  }
+  catch (const HMO::Input_error& error) {
+    EXPECT_EQ(error.element(), Element::HEXAHEDRON);
+    EXPECT_EQ(error.element_index(), 1u);
+  }
+  std::size_t i = 0;
+  for (auto it = lcc.vertex_attributes().begin(); it != lcc.vertex_attributes().end(); ++it)
+    EXPECT_EQ(it->point(), before[i++]);
+}
+
+// --- Unusual, but handled -------------------------------------------------------------------
+
+void expect_honest(const Mesh& before, const Mesh& after, const HMO::Status& status)
+{
+  const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.cells);
+  const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.cells);
+  EXPECT_EQ(status.before.number_of_inverted, a.number_of_inverted);
+  EXPECT_EQ(status.after.number_of_inverted, b.number_of_inverted);
+  EXPECT_EQ(status.after.number_of_invalid, b.number_of_invalid);
+  EXPECT_EQ(status.invalid_hexahedra.size(), b.number_of_invalid);
+  EXPECT_EQ(status.after.minimum, b.minimum);
+  EXPECT_LE(b.number_of_inverted, a.number_of_inverted);
+  for (const Point& p : after.points)
+    for (int d = 0; d < 3; ++d)
+      EXPECT_TRUE(std::isfinite(p[d]));
+}
+
+HMO::Status optimized(Mesh& mesh)
+{
+  const Mesh before = mesh;
+  const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells);
+  expect_honest(before, mesh, status);
+  return status;
+}
+
+TEST(Unusual_input, of_one_hexahedron)
+{
+  Mesh mesh = block(1, 1, 1);
+  HMO::Status status = optimized(mesh);
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_EQ(status.after.minimum, 1);
+
+  mesh.points[6] = Point(.1, .2, .1); // pushed in
+  status = optimized(mesh);
+  EXPECT_TRUE(status.valid_mesh() || status.after.number_of_invalid == 1);
+}
+
+TEST(Unusual_input, of_components_apart)
+{
+  Mesh mesh = block(3, 3, 3);
+  const std::size_t n = mesh.points.size(), m = mesh.cells.size();
+  for (std::size_t v = 0; v < n; ++v)
+    mesh.points.push_back(mesh.points[v] + Indexed_mesh::Kernel::Vector_3(5, 6, 7));
+  for (std::size_t h = 0; h < m; ++h) {
+    mesh.cells.push_back(mesh.cells[h]);
+    for (int& v : mesh.cells.back())
+      v += int(n);
+  }
+  EXPECT_TRUE(optimized(mesh).valid_mesh());
+}
+
+// One component the right way around, a smaller one inside out: there is no numbering that suits both
+TEST(Unusual_input, of_components_of_opposite_orientation)
+{
+  Mesh mesh = block(3, 3, 3, false);
+  const int n = int(mesh.points.size());
+  const Mesh cube = block(1, 1, 1);
+  for (const Point& p : cube.points)
+    mesh.points.push_back(p + Indexed_mesh::Kernel::Vector_3(9, 9, 9));
+  mesh.cells.push_back({n + 4, n + 5, n + 6, n + 7, n, n + 1, n + 2, n + 3});
+  for (std::size_t i = 0; i < 8; ++i)
+    mesh.cells.back()[i] = n + cube.cells[0][(i + 4) % 8];
+  const HMO::Status status = optimized(mesh);
+  EXPECT_FALSE(status.orientation_reversed);
+  EXPECT_LE(status.after.number_of_inverted, 1u);
+}
+
+TEST(Unusual_input, with_coordinates_near_the_limits_of_double)
+{
+  for (double scale : {1e-100, 1e100}) {
+    SCOPED_TRACE(scale);
+    Mesh mesh = block(3, 3, 3);
+    for (Point& p : mesh.points)
+      p = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    EXPECT_TRUE(optimized(mesh).valid_mesh());
+  }
+  for (double scale : {1e-300, 1e-200, 1e200, 1e300}) {
+    SCOPED_TRACE(scale);
+    Mesh mesh = block(3, 3, 3);
+    for (Point& p : mesh.points)
+      p = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    const Points before = mesh.points;
+    try {
+      optimized(mesh);
+    }
+    catch (const HMO::Input_error&) { // too large or small to be squared: may be refused, by the documented exception
+      EXPECT_EQ(mesh.points, before);
+    }
+  }
+}
+
+TEST(Unusual_input, far_from_the_origin)
+{
+  Mesh mesh = block(3, 3, 3);
+  for (Point& p : mesh.points)
+    p = Point(p.x() + 1e9, p.y() - 1e9, p.z() + 1e9);
+  EXPECT_TRUE(optimized(mesh).valid_mesh());
+}
+
+TEST(Unusual_input, that_is_flat)
+{
+  Mesh mesh = block(3, 3, 3);
+  for (Point& p : mesh.points)
+    p = Point(p.x(), p.y(), 0);
+  const HMO::Status status = optimized(mesh);
+  EXPECT_EQ(status.before.number_of_inverted, mesh.cells.size());
+}
+
+TEST(Unusual_input, that_is_a_line)
+{
+  Mesh mesh = block(2, 2, 2);
+  for (Point& p : mesh.points)
+    p = Point(p.x(), 0, 0);
+  const HMO::Status status = optimized(mesh);
+  EXPECT_EQ(status.before.number_of_inverted, mesh.cells.size());
+}
+
+TEST(Unusual_input, with_coincident_vertices)
+{
+  Mesh mesh = block(4, 4, 4, false);
+  std::size_t v = 0;
+  for (Point& p : mesh.points)
+    if (p.x() > 0 && p.x() < 4 && p.y() > 0 && p.y() < 4 && p.z() > 0 && p.z() < 4) {
+      p = Point(2, 2, 2);
+      ++v;
+    }
+  ASSERT_EQ(v, 27u);
+  EXPECT_TRUE(optimized(mesh).valid_mesh());
+}
+
+TEST(Unusual_input, with_a_reference_far_away)
+{
+  Mesh mesh = block(3, 3, 3);
+  const Mesh before = mesh;
+  Surface_mesh surface = cube(3);
+  for (const auto v : surface.vertices())
+    surface.point(v) = surface.point(v) + Indexed_mesh::Kernel::Vector_3(100, 0, 0);
+  const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface);
+  expect_honest(before, mesh, status);
+}
+
+} // namespace
