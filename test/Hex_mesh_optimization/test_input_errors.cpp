@@ -3,12 +3,12 @@
 
 // Unusable input is refused by name before anything moves; unusual input is handled.
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include "mesh_families.h"
 
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 

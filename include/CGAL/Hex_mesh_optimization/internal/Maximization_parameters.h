@@ -14,7 +14,7 @@ namespace internal {
 
 struct Maximization_parameters
 {
-  std::size_t iterations = 60;
+  std::size_t iterations = 30;
   // Exponent of the norm over the corners of a hexahedron: 4 to 8 lift the worst corner without losing the average.
   double norm_exponent = 8;
   double norm_offset = 1e-3;
@@ -40,10 +40,12 @@ struct Maximization_parameters
   double relaxed_margin = .05;
   double relaxation = .7;
   double tightening = 1.1;
+  // A vertex on a feature whose multiplier fell below this leaves the feature: it was a chance crease.
+  double demotion_multiplier = .05;
   // Deviation at which the attachment tightens whatever the quality.
   double deviation_budget = .4;
-  double pull_tolerance = .05;
-  double pull_weight = 1;
+  double pull_tolerance = 0;
+  double pull_weight = .2;
   double reference_spacing = .5;
   // Conjugate gradients.
   double solver_tolerance = .1;

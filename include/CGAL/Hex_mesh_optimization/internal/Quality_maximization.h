@@ -239,8 +239,11 @@ private:
         double& m = multiplier_[v];
         if (deviation[v] > parameters_.deviation_budget)
           m = (std::min)(m * parameters_.tightening, parameters_.largest_multiplier);
-        else if (q < relax)
+        else if (q < relax) {
           m = (std::max)(m * parameters_.relaxation, parameters_.least_multiplier);
+          if (m < parameters_.demotion_multiplier && attachment_.demote(static_cast<int>(v)))
+            m = parameters_.start_multiplier;
+        }
         else if (q > relax + parameters_.relaxed_margin)
           m = (std::min)(m * parameters_.tightening, parameters_.largest_multiplier);
       }

@@ -69,6 +69,9 @@ public:
                          curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE, curve});
     }
     own_count_ = samples.size();
+    samples_of_ = Grouped_array(complex.number_of_vertices(), 4 * own_count_,
+                                [this](std::size_t k) { return samples[k / 4].vertices[k % 4 < std::size_t(samples[k / 4].count) ? k % 4 : 0]; },
+                                [](std::size_t k) { return static_cast<int>(k / 4); });
   }
 
   // Targets and projectors at the present positions; pulls by reference samples farther than the tolerance, if asked for.
@@ -103,6 +106,18 @@ public:
     }
   }
 
+  // Lets a vertex leave its feature for the smooth surface. False if it is on none.
+  bool demote(int v)
+  {
+    bool any = false;
+    for (int s : samples_of_[v])
+      if (samples[s].kind == Vertex_kind::FEATURE || samples[s].kind == Vertex_kind::CORNER) {
+        samples[s].kind = Vertex_kind::SURFACE;
+        any = true;
+      }
+    return any;
+  }
+
   std::vector<Attachment_sample> samples;
 
 private:
@@ -117,6 +132,7 @@ private:
   const Boundary_attachment& attachment_;
   Reference_pull pull_;
   std::size_t own_count_;
+  Grouped_array samples_of_; // the own samples that a vertex has a share in
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal
