@@ -171,12 +171,14 @@ private:
     global_.set_reference_pull(links, weights);
   }
 
+  bool is_smooth(int v) const { return attachment_.kind[v] == Vertex_kind::SURFACE; }
+
   void local_step(const Positions& points, bool maximizing)
   {
     cones_.update_normals(points);
     Positions surface_normals(points.size(), Vector_3::Zero());
     for (std::size_t v = 0; v < points.size(); ++v)
-      if (complex_.is_on_boundary[v])
+      if (is_smooth(static_cast<int>(v)))
         surface_normals[v] = surface_.closest_point(points[v]).normal;
     const double threshold = std::cos(parameters_.cone_angle_bound * 3.14159265358979323846 / 180);
     double worst_of_mesh = 1;
@@ -184,7 +186,8 @@ private:
       const int directed = static_cast<int>(i);
       Vector_3 normal = Vector_3::Zero();
       double surface_weight = 0;
-      if (complex_.is_boundary_edge[directed / 2]) {
+      // an edge at a feature lies in no one tangent plane
+      if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) && is_smooth(complex_.target(directed))) {
         normal = surface_normals[complex_.source(directed)] + surface_normals[complex_.target(directed)];
         if (normal.norm() > 1e-3) { // opposite normals have no average
           normal.normalize();

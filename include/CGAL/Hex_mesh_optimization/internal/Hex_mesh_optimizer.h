@@ -20,6 +20,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
+#include <CGAL/Hex_mesh_optimization/internal/harmonic_start.h>
 #include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
 
 #include <algorithm>
@@ -105,7 +106,9 @@ public:
     status.before = quality_statistics(given_, complex_.hexahedra);
     Positions best = points_;
     const Edge_relations relations(complex_);
-    std::vector<double> lengths = target_lengths(relations);
+    const std::vector<double> lengths = target_lengths(relations);
+    if (2 * status.before.number_of_inverted > complex_.hexahedra.size())
+      harmonic_start(complex_, *attachment_, best);
 
     const double start = control_.seconds();
     Edge_cone_rectification rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification);
@@ -217,6 +220,8 @@ private:
     }
     else
       surface_ = boundary_as_reference(complex_, points_);
+    if (surface_->is_empty())
+      throw Input_error(Input_error::Element::MESH, 0, "the boundary of the mesh has no face with an area");
   }
 
   void build_reference(const Reference_input* reference)

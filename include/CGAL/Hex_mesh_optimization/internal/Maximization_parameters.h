@@ -21,31 +21,32 @@ struct Maximization_parameters
   // Weight of −log s, which keeps corners from crossing zero.
   double barrier_weight = .02;
   // Weight of the exterior floor ½ ρ max(0, τ − s)², and how far above the worst corner it stands, at most.
-  double floor_weight = 300;
+  double floor_weight = 600;
   double floor_step = .2;
-  double floor_limit = .8;
+  double floor_limit = .95;
+  double floor_fraction = .1;
   // Weight of the mean ratio relative to the target lengths: without it hexahedra are squashed into slabs, to which the
   // scaled Jacobian is blind.
   double shape_weight = .3;
   // Attachment of the boundary: weight and scale of the distance.
-  double attachment_weight = .2;
+  double attachment_weight = .07;
   double attachment_scale = .001;
   double edge_sample_weight = .5;
   // Multipliers of the attachment, one a boundary vertex.
   double start_multiplier = 1;
   double least_multiplier = .02;
   double largest_multiplier = 2;
-  double relaxed_step = 1;
+  double relaxed_step = .02;
   double relaxed_quality = .66;
   double relaxed_margin = .05;
   double relaxation = .7;
   double tightening = 1.1;
   // A vertex on a feature whose multiplier fell below this leaves the feature: it was a chance crease.
-  double demotion_multiplier = .05;
+  double demotion_multiplier = .03;
   // Deviation at which the attachment tightens whatever the quality.
   double deviation_budget = .4;
   double pull_tolerance = 0;
-  double pull_weight = .2;
+  double pull_weight = .5;
   double reference_spacing = .5;
   // Conjugate gradients.
   double solver_tolerance = .1;

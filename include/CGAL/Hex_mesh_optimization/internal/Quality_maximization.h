@@ -58,7 +58,7 @@ public:
     double best_minimum = quality.minimum;
     std::size_t best_invalid = quality.invalid;
     for (std::size_t i = 0; i < parameters_.iterations && !control.is_stopped(); ++i) {
-      floor_ = (std::min)(parameters_.floor_limit, quality.minimum + parameters_.floor_step);
+      floor_ = floor_above(quality);
       attachment_.update(points, quality.minimum > .1, parameters_.pull_tolerance, parameters_.pull_weight);
       adapt_multipliers(quality, points);
       const double energy = step(points);
@@ -76,6 +76,16 @@ public:
   }
 
 private:
+  // The floor stands above the worst corner, but no higher than a given part of the hexahedra lies: where the
+  // connectivity makes many of them poor, lifting all of those would cost the average.
+  double floor_above(const Mesh_quality& quality) const
+  {
+    std::vector<double> sorted = quality.scaled_jacobians;
+    const std::size_t rank = static_cast<std::size_t>(parameters_.floor_fraction * sorted.size());
+    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+    return (std::min)({parameters_.floor_limit, sorted[rank], quality.minimum + parameters_.floor_step});
+  }
+
   // f(s) of one corner besides the norm over the hexahedron: barrier and floor.
   double corner_energy(double s) const
   {
@@ -232,7 +242,7 @@ private:
       for (int k = 0; k < s.count; ++k)
         deviation[s.vertices[k]] = (std::max)(deviation[s.vertices[k]], d);
     }
-    const double relax = (std::min)(quality.minimum + parameters_.relaxed_step, parameters_.relaxed_quality);
+    const double relax = (std::min)(floor_ - parameters_.relaxed_step, parameters_.relaxed_quality);
     for (std::size_t v = 0; v < points.size(); ++v)
       if (complex_.is_on_boundary[v]) {
         const double q = quality.worst_around(complex_, static_cast<int>(v));

@@ -54,10 +54,7 @@ public:
       if (distance <= tolerance)
         continue;
       const Triangle_indices& t = boundary->triangles[foot.triangle];
-      const Vector_3 u = points[t[1]] - points[t[0]], v = points[t[2]] - points[t[0]], w = foot.point - points[t[0]];
-      const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
-      const double b = (vv * u.dot(w) - uv * v.dot(w)) / determinant, c = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
-      links_.push_back({t, {1 - b - c, b, c}, sample, distance});
+      links_.push_back({t, foot.coordinates, sample, distance});
     }
     return links_;
   }

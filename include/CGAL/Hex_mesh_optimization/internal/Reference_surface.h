@@ -23,9 +23,12 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #endif
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -38,7 +41,8 @@ using Triangle_indices = std::array<int, 3>;
 struct Surface_point
 {
   Vector_3 point;
-  Vector_3 normal; // unit length, outwards
+  Vector_3 normal; // unit length, outwards; smooth between feature curves
+  std::array<double, 3> coordinates; // barycentric, in the triangle
   std::size_t triangle;
 };
 
@@ -119,6 +123,58 @@ public:
     tree_.insert(soup_.begin(), soup_.end());
     tree_.build();
     tree_.accelerate_distance_queries();
+    smooth_normals(); // until curves are known
+  }
+
+  // Averages the normals around every vertex, but not across feature curves. A point on an edge or a vertex then has
+  // one normal, whichever of the triangles around it the search returns. Call it when the curves have changed.
+  void smooth_normals()
+  {
+    std::vector<std::array<int, 2>> barriers;
+    for (const std::unique_ptr<Feature_curve>& curve : curves)
+      for (std::size_t i = 0; i + 1 < curve->vertices.size(); ++i)
+        barriers.push_back({(std::min)(curve->vertices[i], curve->vertices[i + 1]), (std::max)(curve->vertices[i], curve->vertices[i + 1])});
+    std::sort(barriers.begin(), barriers.end());
+    std::vector<std::array<int, 4>> sides; // low vertex, high vertex, triangle, its corner before the edge
+    sides.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+        sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<int>(t), k});
+      }
+    std::sort(sides.begin(), sides.end());
+    std::vector<int> group(3 * triangles.size()); // a forest over the corners of triangles
+    std::iota(group.begin(), group.end(), 0);
+    const auto root = [&](int c) {
+      while (group[c] != c)
+        c = group[c] = group[group[c]];
+      return c;
+    };
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      const std::array<int, 4> &s = sides[i - 1], &t = sides[i];
+      if (s[0] != t[0] || s[1] != t[1] || std::binary_search(barriers.begin(), barriers.end(), std::array<int, 2>{s[0], s[1]}))
+        continue;
+      for (int end = 0; end < 2; ++end) {
+        const int c = 3 * s[2] + (s[3] + end) % 3;
+        const int v = triangles[s[2]][(s[3] + end) % 3];
+        for (int k = 0; k < 3; ++k)
+          if (triangles[t[2]][k] == v)
+            group[root(3 * t[2] + k)] = root(c);
+      }
+    }
+    Positions sums(group.size(), Vector_3::Zero());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const Vector_3 normal = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+      if (!(normal.norm() > 0))
+        continue;
+      for (int k = 0; k < 3; ++k) {
+        const Vector_3 a = corner(t, (k + 1) % 3) - corner(t, k), b = corner(t, (k + 2) % 3) - corner(t, k);
+        sums[root(static_cast<int>(3 * t) + k)] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal.normalized();
+      }
+    }
+    normals_.resize(group.size());
+    for (std::size_t c = 0; c < group.size(); ++c)
+      normals_[c] = sums[root(static_cast<int>(c))].normalized(); // stays zero where the normals cancel
   }
 
   Reference_surface(const Reference_surface&) = delete;
@@ -129,10 +185,16 @@ public:
   Surface_point closest_point(const Vector_3& query) const
   {
     const auto found = tree_.closest_point_and_primitive(aabb::point(query));
-    const aabb::Kernel::Triangle_3& t = *found.second;
-    const Vector_3 a = aabb::vector(t[0]);
-    return {aabb::vector(found.first), (aabb::vector(t[1]) - a).cross(aabb::vector(t[2]) - a).normalized(),
-            index_[found.second - soup_.begin()]};
+    Surface_point result{aabb::vector(found.first), Vector_3::Zero(), {}, index_[found.second - soup_.begin()]};
+    const std::size_t t = result.triangle;
+    const Vector_3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = result.point - corner(t, 0);
+    const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
+    const double b = (vv * u.dot(w) - uv * v.dot(w)) / determinant, c = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
+    result.coordinates = {1 - b - c, b, c};
+    for (int k = 0; k < 3; ++k)
+      result.normal += result.coordinates[k] * normals_[3 * t + k];
+    result.normal = result.normal.norm() > 1e-6 ? result.normal.normalized() : u.cross(v).normalized();
+    return result;
   }
 
   const Vector_3& corner(std::size_t triangle, int k) const { return points[triangles[triangle][k]]; }
@@ -151,6 +213,7 @@ private:
 
   std::vector<aabb::Kernel::Triangle_3> soup_; // without the degenerate triangles, which have no normal
   std::vector<std::size_t> index_;             // of each, in triangles
+  Positions normals_;                          // at the corners of triangles
   CGAL::AABB_tree<aabb::Triangle_traits> tree_;
 };
 

@@ -134,6 +134,7 @@ inline void trace_feature_curves(Reference_surface& surface, Edge_list sharp, bo
   for (const std::vector<int>& curve : tracer.curves())
     surface.curves.push_back(std::make_unique<Feature_curve>(curve, surface.points));
   surface.corners = tracer.corners();
+  surface.smooth_normals();
 }
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -13,7 +13,9 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <type_traits>
@@ -34,6 +36,12 @@ inline void require(bool condition, const char* name)
   if (!condition)
     throw Input_error(Input_error::Element::PARAMETER, 0, std::string("the parameter ") + name + " has no usable value");
 }
+
+// What std::ref() wraps is the caller's own object.
+template <class T>
+T& unwrapped(T& t) { return t; }
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
 
 // The vertices' keys, by which the maps of the caller are asked, must outlive the result.
 template <class NamedParameters, class Key>
@@ -61,9 +69,9 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   require(p.target_quality == p.target_quality, "target_quality");
   require(p.maximum_running_time >= 0, "maximum_running_time");
   require(p.features.angle_bound >= 0 && p.features.angle_bound <= 180, "features_angle_bound");
-  require(r.surface_weight > 0, "surface_weight");
-  require(r.feature_weight > 0, "feature_weight");
-  require(r.regularization_weight >= 0, "regularization_weight");
+  require(r.surface_weight > 0 && std::isfinite(r.surface_weight), "surface_weight");
+  require(r.feature_weight > 0 && std::isfinite(r.feature_weight), "feature_weight");
+  require(r.regularization_weight >= 0 && std::isfinite(r.regularization_weight), "regularization_weight");
   require(r.cone_angle_bound > 0 && r.cone_angle_bound < 90, "cone_angle_bound");
 
   if constexpr (is_given<NamedParameters, internal_np::hex_target_edge_length_map_t>) {
@@ -81,14 +89,10 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
       return true;
     };
   if constexpr (is_given<NamedParameters, internal_np::visitor_t>) {
-    // held by the caller, or by np, for as long as the call lasts
-    auto& visitor = const_cast<std::remove_const_t<
-      std::remove_reference_t<decltype(parameters::get_parameter_reference(np, internal_np::visitor))>>&>(
-      parameters::get_parameter_reference(np, internal_np::visitor));
-    p.on_iteration = [&visitor, print = p.on_iteration](const Iteration& i) {
+    p.on_iteration = [visitor = get_parameter(np, internal_np::visitor), print = p.on_iteration](const Iteration& i) mutable {
       if (print)
         print(i);
-      return visitor.on_iteration(i);
+      return unwrapped(visitor).on_iteration(i);
     };
   }
   return p;
