@@ -107,12 +107,21 @@ public:
     Positions best = points_;
     const Edge_relations relations(complex_);
     const std::vector<double> lengths = target_lengths(relations);
-    if (2 * status.before.number_of_inverted > complex_.hexahedra.size())
-      harmonic_start(complex_, *attachment_, best);
-
     const double start = control_.seconds();
-    Edge_cone_rectification rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification);
-    rectification.run(best, control_, parameters_.target_quality);
+    const bool starts_harmonic = 2 * status.before.number_of_inverted > complex_.hexahedra.size();
+    if (starts_harmonic)
+      harmonic_start(complex_, *attachment_, best);
+    Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
+      .run(best, control_, parameters_.target_quality);
+    if (!starts_harmonic && !control_.is_stopped() && Mesh_quality(complex_, best).invalid > 0) {
+      // what the given interior locks, another start may not
+      Positions other = points_;
+      harmonic_start(complex_, *attachment_, other);
+      Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
+        .run(other, control_, parameters_.target_quality);
+      if (Mesh_quality(complex_, other).inverted < Mesh_quality(complex_, best).inverted)
+        best = std::move(other);
+    }
     status.rectification_seconds = control_.seconds() - start;
 
     if (parameters_.method == Method::FULL && !control_.is_stopped()) {

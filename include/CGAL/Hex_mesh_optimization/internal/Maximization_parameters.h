@@ -14,7 +14,11 @@ namespace internal {
 
 struct Maximization_parameters
 {
-  std::size_t iterations = 30;
+  std::size_t iterations = 80;
+  // It ends when neither the minimum nor the average has gained this much in so many iterations.
+  double least_gain_of_minimum = 2e-3;
+  double least_gain_of_average = 2e-4;
+  std::size_t patience = 12;
   // Exponent of the norm over the corners of a hexahedron: 4 to 8 lift the worst corner without losing the average.
   double norm_exponent = 8;
   double norm_offset = 1e-3;
@@ -41,10 +45,12 @@ struct Maximization_parameters
   double relaxed_margin = .05;
   double relaxation = .7;
   double tightening = 1.1;
-  // A vertex on a feature whose multiplier fell below this leaves the feature: it was a chance crease.
+  // A vertex on a feature whose multiplier fell below the first, or which is farther from the feature than the second,
+  // leaves the feature: it was a chance crease.
   double demotion_multiplier = .03;
+  double demotion_distance = 1;
   // Deviation at which the attachment tightens whatever the quality.
-  double deviation_budget = .4;
+  double deviation_budget = .3;
   double pull_tolerance = 0;
   double pull_weight = .5;
   double reference_spacing = .5;

@@ -57,6 +57,8 @@ public:
     Positions best = points;
     double best_minimum = quality.minimum;
     std::size_t best_invalid = quality.invalid;
+    double highest = quality.minimum, highest_average = quality.average;
+    std::size_t progress = 0; // the last iteration that brought some
     for (std::size_t i = 0; i < parameters_.iterations && !control.is_stopped(); ++i) {
       floor_ = floor_above(quality);
       attachment_.update(points, quality.minimum > .1, parameters_.pull_tolerance, parameters_.pull_weight);
@@ -68,7 +70,17 @@ public:
         best_minimum = (std::max)(best_minimum, quality.minimum);
         best_invalid = quality.invalid;
       }
+      if (quality.minimum > highest + parameters_.least_gain_of_minimum) {
+        highest = quality.minimum;
+        progress = i;
+      }
+      if (quality.average > highest_average + parameters_.least_gain_of_average) {
+        highest_average = quality.average;
+        progress = i;
+      }
       control.after_iteration(Stage::MAXIMIZATION, i, energy, quality);
+      if (i - progress >= parameters_.patience)
+        break;
       if (quality.invalid == 0 && quality.minimum >= target_quality)
         break;
     }
@@ -120,10 +132,13 @@ private:
       target[k] = lengths_[complex_.hexahedron_edges[h][corner_edges[c][k] / 2] / 2];
   }
 
+  // Grows with the sixth power of the distance up to five times the scale, to keep the maximum of the deviation low, and
+  // with the square beyond, so that a sample whose target jumps does not outweigh everything else.
   double sample_energy(double squared_distance) const
   {
-    const double x = squared_distance / (scale_ * scale_);
-    return parameters_.attachment_weight * x * (1 + x * x / 625);
+    const double x = squared_distance / (scale_ * scale_), knee = 25;
+    const double y = (std::min)(x, knee);
+    return parameters_.attachment_weight * (y * (1 + y * y / 625) + 4 * (x - y));
   }
 
   double sample_factor(const Attachment_sample& s) const
@@ -195,8 +210,10 @@ private:
     for (const Attachment_sample& s : attachment_.samples) {
       const Vector_3 offset = s.offset(points);
       const double x = offset.squaredNorm() / e, factor = sample_factor(s) * parameters_.attachment_weight * 2 / e;
-      // derivative of x (1 + x²/625) by the offset, and its growth along the offset
-      const double slope = factor * (1 + 3 * x * x / 625), growth = x > 0 ? factor * 12 * x * x / 625 / offset.squaredNorm() : 0;
+      // derivative of the energy by the offset, and its growth along the offset
+      const bool is_near = x < 25;
+      const double slope = factor * (is_near ? 1 + 3 * x * x / 625 : 4);
+      const double growth = is_near && x > 0 ? factor * 12 * x * x / 625 / offset.squaredNorm() : 0;
       const Matrix_3 hessian = slope * s.projector + growth * offset * offset.transpose();
       for (int i = 0; i < s.count; ++i) {
         gradient[s.vertices[i]] += slope * s.shares[i] * offset;
@@ -247,14 +264,16 @@ private:
       if (complex_.is_on_boundary[v]) {
         const double q = quality.worst_around(complex_, static_cast<int>(v));
         double& m = multiplier_[v];
-        if (deviation[v] > parameters_.deviation_budget)
-          m = (std::min)(m * parameters_.tightening, parameters_.largest_multiplier);
-        else if (q < relax) {
+        // the more of the budget is overdrawn, the poorer a hexahedron must be to draw more
+        const double wanted = relax * (std::min)(1.0, std::sqrt(parameters_.deviation_budget / (std::max)(deviation[v], 1e-9)));
+        if (deviation[v] > parameters_.demotion_distance && attachment_.demote(static_cast<int>(v)))
+          m = parameters_.start_multiplier;
+        else if (q < wanted) {
           m = (std::max)(m * parameters_.relaxation, parameters_.least_multiplier);
           if (m < parameters_.demotion_multiplier && attachment_.demote(static_cast<int>(v)))
             m = parameters_.start_multiplier;
         }
-        else if (q > relax + parameters_.relaxed_margin)
+        else if (q > wanted + parameters_.relaxed_margin)
           m = (std::min)(m * parameters_.tightening, parameters_.largest_multiplier);
       }
   }

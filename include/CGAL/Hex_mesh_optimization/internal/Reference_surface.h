@@ -78,11 +78,21 @@ public:
   Feature_curve(std::vector<int> reference_vertices, const Positions& points)
     : vertices(std::move(reference_vertices))
   {
+    std::vector<Vector_3> directions;
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
       const Vector_3 &a = points[vertices[i]], &b = points[vertices[i + 1]];
       length += (b - a).norm();
-      if (a != b)
+      if (a != b) {
         segments_.emplace_back(aabb::point(a), aabb::point(b));
+        directions.push_back((b - a).normalized());
+      }
+    }
+    // a point between two segments has one tangent, whichever of them the search returns
+    const std::size_t n = directions.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool first = i == 0 && !is_closed(), last = i + 1 == n && !is_closed();
+      tangents_.push_back({first ? directions[i] : Vector_3(directions[i] + directions[(i + n - 1) % n]).normalized(),
+                           last ? directions[i] : Vector_3(directions[i] + directions[(i + 1) % n]).normalized()});
     }
     tree_.insert(segments_.begin(), segments_.end());
     tree_.build();
@@ -97,7 +107,11 @@ public:
   {
     const auto found = tree_.closest_point_and_primitive(aabb::point(query));
     const Vector_3 a = aabb::vector(found.second->source()), b = aabb::vector(found.second->target());
-    return {aabb::vector(found.first), (b - a).normalized()};
+    const Vector_3 p = aabb::vector(found.first);
+    const std::array<Vector_3, 2>& ends = tangents_[found.second - segments_.begin()];
+    const double t = (p - a).norm() / (b - a).norm();
+    const Vector_3 tangent = (1 - t) * ends[0] + t * ends[1];
+    return {p, tangent.norm() > 1e-6 ? Vector_3(tangent.normalized()) : Vector_3((b - a).normalized())};
   }
 
   std::vector<int> vertices; // of the reference, in order; first equals last on a closed curve
@@ -105,6 +119,7 @@ public:
 
 private:
   std::vector<aabb::Kernel::Segment_3> segments_;
+  std::vector<std::array<Vector_3, 2>> tangents_; // at both ends of each
   CGAL::AABB_tree<aabb::Segment_traits> tree_;
 };
 
