@@ -70,7 +70,7 @@ struct Rectification_parameters
   double weight_relaxation = .7;
   double weight_tightening = 1.3;
   double least_weight = .02;
-  double largest_weight = 3; // stiffer ones gain no accuracy worth the quality they cost
+  double largest_weight = 5; // stiffer ones gain no accuracy worth the quality they cost
 
   // In a valid state, a move may not cost a hexahedron below the quality more than this factor; it is halved so often
   // before it is taken back.
