@@ -25,5 +25,4 @@ CGAL_add_named_parameter(hex_feature_weight_t, hex_feature_weight, feature_weigh
 CGAL_add_named_parameter(hex_regularization_weight_t, hex_regularization_weight, regularization_weight)
 CGAL_add_named_parameter(hex_cone_angle_bound_t, hex_cone_angle_bound, cone_angle_bound)
 CGAL_add_named_parameter(hex_maximize_minimum_quality_t, hex_maximize_minimum_quality, maximize_minimum_quality)
-CGAL_add_named_parameter(hex_maximum_deviation_t, hex_maximum_deviation, maximum_deviation)
 #endif
