@@ -26,17 +26,19 @@ struct Maximization_parameters
   double barrier_weight = .02;
   // Weight of the exterior floor ½ ρ max(0, τ − s)², and how far above the worst corner it stands, at most.
   double floor_weight = 600;
+  // It rises no higher than the limit, nor than this part of the hexahedra lies.
   double floor_step = .2;
   double floor_limit = .95;
   double floor_fraction = .1;
   // Weight of the mean ratio relative to the target lengths: without it hexahedra are squashed into slabs, to which the
   // scaled Jacobian is blind.
   double shape_weight = .3;
-  // Attachment of the boundary: weight and scale of the distance.
+  // Attachment of the boundary: weight, and scale of the distance over the diagonal of the reference.
   double attachment_weight = .07;
   double attachment_scale = .001;
   double edge_sample_weight = .5;
-  // Multipliers of the attachment, one a boundary vertex.
+  // Multipliers of the attachment, one a boundary vertex: relaxed where the worst hexahedron around it is below the
+  // floor by relaxed_step and below relaxed_quality, tightened where it is above by the margin.
   double start_multiplier = 1;
   double least_multiplier = .02;
   double largest_multiplier = 2;
@@ -49,7 +51,7 @@ struct Maximization_parameters
   // leaves the feature: it was a chance crease.
   double demotion_multiplier = .03;
   double demotion_distance = 1;
-  // Deviation at which the attachment tightens whatever the quality.
+  // From this deviation on, the poorer a hexahedron must be for its attachment to relax.
   double deviation_budget = .3;
   double pull_tolerance = 0;
   double pull_weight = .5;
