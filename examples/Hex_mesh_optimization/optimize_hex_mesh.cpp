@@ -73,6 +73,7 @@ struct Options
   std::string edge_lengths = "estimated";
   std::size_t iterations = defaults.rectification.iterations;
   std::size_t restarts = defaults.rectification.restarts;
+  double maximum_deviation = defaults.maximum_deviation;
   double time_limit = defaults.maximum_running_time;
   double target_quality = defaults.target_quality;
   int threads = 1;
@@ -103,6 +104,8 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")->check(count)->capture_default_str();
   app.add_option("--target-quality", o.target_quality, "stop once the mesh is valid and its minimum scaled Jacobian this good")
     ->type_name("QUALITY");
+  app.add_option("--max-deviation", o.maximum_deviation, "how far the boundary and the reference may be apart, in both directions")
+    ->type_name("LENGTH")->check(CLI::PositiveNumber.description(""));
   app.add_option("--time-limit", o.time_limit, "stop after that time and write the best mesh so far")
     ->type_name("SECONDS")->check(CLI::Range(0., 1e9).description(""));
   app.add_option("--threads", o.threads, "number of threads (this version uses one)")
@@ -233,6 +236,7 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
       .number_of_iterations(o.iterations)
       .number_of_restarts(o.restarts)
       .target_quality(o.target_quality)
+      .maximum_deviation(o.maximum_deviation)
       .maximum_running_time(o.time_limit)
       .visitor(std::ref(watcher));
   Surface_mesh reference;
@@ -288,6 +292,12 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
   if (status.orientation_reversed)
     std::cout << "The hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
+  if (!status.is_within_deviation_bound())
+    std::cout << "THE BOUND OF THE DEVIATION IS NOT MET: the maximum is " << text(status.deviation.maximum) << ", the bound "
+              << text(status.deviation_bound) << ".\n";
+  if (!status.connectivity_limits.empty())
+    std::cout << text(status.connectivity_limits.size()) << " hexahedra are as good as their connectivity allows"
+              << " (--json lists them with reasons).\n";
   if (status.valid_mesh()) {
     std::cout << "The mesh is valid.\n";
     return;
@@ -298,6 +308,8 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
             << (shown < invalid.size() ? ", the first " + text(shown) + " of " + text(invalid.size()) : std::string()) << ":\n";
   for (std::size_t i = 0; i < shown; ++i)
     std::cout << std::setw(10) << invalid[i] << "  (" << mesh.center(invalid[i]) << ")\n";
+  if (!status.locked_hexahedra.empty())
+    std::cout << text(status.locked_hexahedra.size()) << " of them have an inverted corner whose vertices are all fixed.\n";
 }
 
 // The report has the members of the structs, and the enumerators, under their own names.
@@ -354,6 +366,7 @@ Json json(const Options& o)
           {"iterations", o.iterations},
           {"restarts", o.restarts},
           {"target_quality", o.target_quality},
+          {"maximum_deviation", o.maximum_deviation},
           {"time_limit", o.time_limit},
           {"threads", o.threads}};
 }
@@ -365,6 +378,9 @@ Json json(const HMO::Status& status, const Mesh& mesh)
     const Kernel::Point_3 c = mesh.center(h);
     invalid.push_back({{"id", h}, {"center", {c.x(), c.y(), c.z()}}});
   }
+  Json limits = Json::array();
+  for (const HMO::Connectivity_limit& l : status.connectivity_limits)
+    limits.push_back({{"hexahedron", l.hexahedron}, {"reason", HMO::description(l.reason)}, {"largest_scaled_jacobian", l.largest_scaled_jacobian}});
   return {{"return_code", json(status.return_code)},
           {"valid_mesh", status.valid_mesh()},
           {"orientation_reversed", status.orientation_reversed},
@@ -379,7 +395,10 @@ Json json(const HMO::Status& status, const Mesh& mesh)
           {"rectification_seconds", status.rectification_seconds},
           {"maximization_seconds", status.maximization_seconds},
           {"total_seconds", status.total_seconds},
-          {"invalid_hexahedra", invalid}};
+          {"deviation_bound", status.deviation_bound},
+          {"invalid_hexahedra", invalid},
+          {"locked_hexahedra", status.locked_hexahedra},
+          {"connectivity_limits", limits}};
 }
 
 void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh, const std::vector<HMO::Iteration>& iterations)

@@ -185,6 +185,13 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{none: it goes on while the mesh improves}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_deviation}
+ *     \cgalParamDescription{how far the boundary of the mesh and the reference may be from each other, as a length, in both
+ *                           directions. The bound comes before the quality, but after validity. Whether the result obeys it
+ *                           is measured: `Status::is_within_deviation_bound()`.}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{none: deviation is weighed against quality, and grows expensive from about a fifth of an edge on}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_lengths}
  *     \cgalParamDescription{where the target lengths of the edges come from}
  *     \cgalParamType{`Hex_mesh_optimization::Target_edge_lengths`}

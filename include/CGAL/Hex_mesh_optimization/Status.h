@@ -6,9 +6,11 @@
 
 // What an optimization reports: why it stopped, and what the mesh was and is.
 
+#include <CGAL/Hex_mesh_optimization/Connectivity_limit.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -53,6 +55,8 @@ struct Status
   Quality_statistics after;  ///< Of the mesh as it is now.
   Deviation deviation;       ///< Of the mesh as it is now.
 
+  double deviation_bound = std::numeric_limits<double>::infinity(); ///< `maximum_deviation` as it was given, a length.
+
   std::size_t iterations = 0; ///< Over all stages.
 
   double rectification_seconds = 0; ///< Wall-clock time of edge-cone rectification.
@@ -62,12 +66,21 @@ struct Status
   /// The hexahedra whose trilinear map is not certified to be valid, in increasing order.
   std::vector<std::size_t> invalid_hexahedra;
 
+  /// Those of them with an inverted corner whose four vertices are all fixed: only the boundary could resolve them.
+  std::vector<std::size_t> locked_hexahedra;
+
+  /// The hexahedra that are no better than a limit that the connectivity sets, in increasing order.
+  std::vector<Connectivity_limit> connectivity_limits;
+
   /// The hexahedra were numbered inside out; they were taken with their bottom and top exchanged, and the statistics
   /// refer to that numbering.
   bool orientation_reversed = false;
 
   /// `true` if the trilinear map of every hexahedron is certified to be valid (see `is_valid_hexahedron()`).
   bool valid_mesh() const { return invalid_hexahedra.empty(); }
+
+  /// `true` if the measured maximum deviation is at most `deviation_bound`.
+  bool is_within_deviation_bound() const { return deviation.maximum <= deviation_bound; }
 };
 
 } } // namespace CGAL::Hex_mesh_optimization

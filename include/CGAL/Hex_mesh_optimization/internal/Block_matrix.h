@@ -24,10 +24,18 @@ namespace internal {
 class Block_matrix
 {
 public:
+  // The blocks of one hexahedron: 8 on the diagonal, then those above it, row by row.
+  using Hexahedron_blocks = std::array<Matrix_3, 36>;
+
+  // Where the block of two different corners is among them, i < j.
+  static constexpr int local_block(int i, int j) { return 8 + i * (15 - i) / 2 + j - i - 1; }
+
   // Couples all vertices of each hexahedron.
   explicit Block_matrix(const Hexahedral_complex& complex)
     : diagonal(complex.number_of_vertices())
     , offsets_(complex.number_of_vertices() + 1, 0)
+    , hexahedra_(complex.hexahedra)
+    , hexahedron_slots_(complex.hexahedra.size())
   {
     // The neighbors of a vertex with a higher index, from the hexahedra around it.
     std::vector<int> neighbors;
@@ -43,6 +51,12 @@ public:
       offsets_[v + 1] = columns_.size();
     }
     blocks_.resize(columns_.size());
+    for (std::size_t h = 0; h < hexahedra_.size(); ++h)
+      for (int i = 0; i < 8; ++i)
+        for (int j = i + 1; j < 8; ++j) {
+          const int a = hexahedra_[h][i], b = hexahedra_[h][j];
+          hexahedron_slots_[h][local_block(i, j) - 8] = a < b ? 2 * slot(a, b) : 2 * slot(b, a) + 1;
+        }
   }
 
   std::size_t size() const { return diagonal.size(); }
@@ -62,6 +76,19 @@ public:
       blocks_[slot(i, j)] += B.cast<float>();
     else
       blocks_[slot(j, i)] += B.transpose().cast<float>();
+  }
+
+  void add(std::size_t hexahedron, const Hexahedron_blocks& B)
+  {
+    for (int i = 0; i < 8; ++i)
+      diagonal[hexahedra_[hexahedron][i]] += B[i];
+    for (int k = 0; k < 28; ++k) {
+      const std::size_t place = hexahedron_slots_[hexahedron][k];
+      if (place % 2)
+        blocks_[place / 2] += B[8 + k].transpose().cast<float>();
+      else
+        blocks_[place / 2] += B[8 + k].cast<float>();
+    }
   }
 
   // Approximates A x = b from x = 0, in the rows that are not fixed, until the
@@ -136,6 +163,8 @@ private:
   std::vector<std::size_t> offsets_;
   std::vector<int> columns_;
   std::vector<Block> blocks_;
+  const std::vector<Hexahedron>& hexahedra_;
+  std::vector<std::array<std::size_t, 28>> hexahedron_slots_; // twice the slot of each block, plus one where it is transposed
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

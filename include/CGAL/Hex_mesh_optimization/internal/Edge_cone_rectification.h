@@ -159,14 +159,16 @@ private:
   // The pull gives way where the vertices had to be let go.
   void pull_reference(const Positions& points)
   {
-    const std::vector<Reference_pull::Link>& links = pull_.update(points, parameters_.pull_tolerance);
+    std::vector<Reference_pull::Link> links;
     std::vector<double> weights;
-    weights.reserve(links.size());
-    for (const Reference_pull::Link& link : links) {
+    for (const Reference_pull::Link& link : pull_.update(points, 0)) {
+      if (link.distance <= parameters_.pull_tolerance)
+        continue;
+      links.push_back(link);
       double weight = 1;
       for (int v : link.vertices)
         weight = (std::min)(weight, weights_[v]);
-      weights.push_back(parameters_.pull_weight * weight);
+      weights.push_back(parameters_.pull_weight * weight * link.area);
     }
     global_.set_reference_pull(links, weights);
   }

@@ -16,7 +16,9 @@
 #include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
+#include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/connectivity_limits.h>
 #include <CGAL/Hex_mesh_optimization/internal/deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
@@ -111,14 +113,18 @@ public:
     const bool starts_harmonic = 2 * status.before.number_of_inverted > complex_.hexahedra.size();
     if (starts_harmonic)
       harmonic_start(complex_, *attachment_, best);
-    Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
-      .run(best, control_, parameters_.target_quality);
+    // quality maximization takes any valid state from there
+    const double rectified_quality = parameters_.method == Method::FULL ? (std::min)(0.0, parameters_.target_quality) : parameters_.target_quality;
+    const auto rectify = [&](Positions& points) {
+      Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
+        .run(points, control_, rectified_quality);
+    };
+    rectify(best);
     if (!starts_harmonic && !control_.is_stopped() && Mesh_quality(complex_, best).invalid > 0) {
       // what the given interior locks, another start may not
       Positions other = points_;
       harmonic_start(complex_, *attachment_, other);
-      Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
-        .run(other, control_, parameters_.target_quality);
+      rectify(other);
       if (Mesh_quality(complex_, other).inverted < Mesh_quality(complex_, best).inverted)
         best = std::move(other);
     }
@@ -126,8 +132,7 @@ public:
 
     if (parameters_.method == Method::FULL && !control_.is_stopped()) {
       const double middle = control_.seconds();
-      Quality_maximization maximization(complex_, *surface_, *attachment_, lengths, parameters_.maximization);
-      maximization.run(best, control_, parameters_.target_quality);
+      maximize_quality(best, lengths);
       status.maximization_seconds = control_.seconds() - middle;
     }
 
@@ -139,6 +144,17 @@ public:
   const Positions& positions() const { return result_; }
 
 private:
+  void maximize_quality(Positions& points, const std::vector<double>& lengths)
+  {
+    Maximization_parameters maximization = parameters_.maximization;
+    maximization.maximum_deviation = parameters_.maximum_deviation / unit_;
+    Surface_attachment attachment(complex_, *surface_, *attachment_, lengths, reference_is_given_, maximization);
+    std::vector<char> is_fixed(complex_.number_of_vertices());
+    for (std::size_t v = 0; v < is_fixed.size(); ++v)
+      is_fixed[v] = attachment_->kind[v] == Vertex_kind::FIXED;
+    Quality_maximization(complex_, attachment, lengths, is_fixed, maximization).run(points, control_, parameters_.target_quality);
+  }
+
   static const std::vector<Hexahedron>& checked(const Positions& points, std::vector<Hexahedron>& hexahedra, bool& reversed)
   {
     using Element = Input_error::Element;
@@ -235,6 +251,7 @@ private:
 
   void build_reference(const Reference_input* reference)
   {
+    reference_is_given_ = reference != nullptr;
     const Feature_parameters& features = parameters_.features;
     if (reference) {
       trace_feature_curves(*surface_,
@@ -292,8 +309,14 @@ private:
       status.after = status.before;
     }
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
-      if (hexahedron_validity(hexahedron_coordinates(result_, complex_.hexahedra[h])) != Validity::VALID)
+      if (hexahedron_validity(hexahedron_coordinates(result_, complex_.hexahedra[h])) != Validity::VALID) {
         status.invalid_hexahedra.push_back(h);
+        if (is_locked(complex_.hexahedra[h]))
+          status.locked_hexahedra.push_back(h);
+      }
+    for (const Connectivity_limit& limit : connectivity_limits(complex_, *attachment_))
+      if (scaled_jacobian(hexahedron_coordinates(result_, complex_.hexahedra[limit.hexahedron])) <= limit.largest_scaled_jacobian)
+        status.connectivity_limits.push_back(limit);
     Positions normalized;
     normalized.reserve(result_.size());
     for (const Vector_3& p : result_)
@@ -301,6 +324,7 @@ private:
     status.deviation = deviation(complex_, normalized, *surface_, parameters_.measuring_spacing);
     status.deviation.average *= unit_;
     status.deviation.maximum *= unit_;
+    status.deviation_bound = parameters_.maximum_deviation;
     status.iterations = control_.iterations;
     if (control_.is_stopped())
       status.return_code = control_.return_code();
@@ -311,6 +335,17 @@ private:
     else
       status.return_code = Return_code::CONVERGED;
     status.total_seconds = control_.seconds();
+  }
+
+  // Whether a corner is inverted whose vertices are all fixed.
+  bool is_locked(const Hexahedron& h) const
+  {
+    const auto is_fixed = [&](int i) { return attachment_->kind[h[i]] == Vertex_kind::FIXED; };
+    for (int c = 0; c < 8; ++c)
+      if (is_fixed(c) && is_fixed(corner_neighbors[c][0]) && is_fixed(corner_neighbors[c][1]) && is_fixed(corner_neighbors[c][2]) &&
+          corner_at(hexahedron_corners(result_, h).data(), c).determinant <= 0)
+        return true;
+    return false;
   }
 
   static bool is_worse(const Quality_statistics& now, const Quality_statistics& before)
@@ -329,6 +364,7 @@ private:
   const Hexahedral_complex complex_;
   const std::vector<char> is_frozen_;
   double unit_ = 1;
+  bool reference_is_given_ = false; // not the boundary of the mesh itself
   Vector_3 center_ = Vector_3::Zero();
   Positions points_; // given_ in units of the mean boundary edge
   std::unique_ptr<Reference_surface> surface_;

@@ -45,6 +45,7 @@ struct Optimization_parameters
   Method method = Method::FULL;
   bool fixed_boundary = false;
   double target_quality = std::numeric_limits<double>::infinity();
+  double maximum_deviation = std::numeric_limits<double>::infinity(); // length
   double maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
   Target_edge_lengths target_edge_lengths = Target_edge_lengths::ESTIMATED;
   std::function<double(std::size_t, std::size_t)> target_length; // of the edge between two vertices; empty: see above

@@ -81,7 +81,7 @@ struct Rectification_parameters
   // Once all hexahedra are valid, samples of the reference farther from the boundary than the tolerance pull it back.
   double reference_spacing = .5;
   double pull_tolerance = .05;
-  double pull_weight = 30;
+  double pull_weight = 400; // of one unit of area
 
   // Section 3.6: raise the worst cones once all are valid.
   bool maximize_minimum_quality = true;

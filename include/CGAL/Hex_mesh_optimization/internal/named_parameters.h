@@ -54,6 +54,7 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   p.method = choose_parameter(get_parameter(np, internal_np::hex_optimization_method), p.method);
   p.fixed_boundary = choose_parameter(get_parameter(np, internal_np::hex_fixed_boundary), p.fixed_boundary);
   p.target_quality = choose_parameter(get_parameter(np, internal_np::hex_target_quality), p.target_quality);
+  p.maximum_deviation = choose_parameter(get_parameter(np, internal_np::hex_maximum_deviation), p.maximum_deviation);
   p.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time), p.maximum_running_time);
   p.target_edge_lengths = choose_parameter(get_parameter(np, internal_np::hex_target_edge_lengths), p.target_edge_lengths);
   p.features.angle_bound = choose_parameter(get_parameter(np, internal_np::features_angle_bound), p.features.angle_bound);
@@ -67,6 +68,7 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   r.maximize_minimum_quality =
     choose_parameter(get_parameter(np, internal_np::hex_maximize_minimum_quality), r.maximize_minimum_quality);
   require(p.target_quality == p.target_quality, "target_quality");
+  require(p.maximum_deviation > 0, "maximum_deviation");
   require(p.maximum_running_time >= 0, "maximum_running_time");
   require(p.features.angle_bound >= 0 && p.features.angle_bound <= 180, "features_angle_bound");
   require(r.surface_weight > 0 && std::isfinite(r.surface_weight), "surface_weight");

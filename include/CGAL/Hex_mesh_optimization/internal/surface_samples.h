@@ -21,6 +21,7 @@ struct Surface_sample
 {
   Vector_3 point;
   double area; // that the sample stands for; 0 for vertices
+  int vertex;  // -1 within a triangle
 };
 
 // The vertices, and in every triangle the centers of a lattice of n² equal parts
@@ -36,12 +37,12 @@ inline std::vector<Surface_sample> spread_samples(const Positions& points, const
     for (int v : t)
       if (!seen[v]) {
         seen[v] = true;
-        samples.push_back({points[v], 0.0});
+        samples.push_back({points[v], 0.0, v});
       }
     const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
     const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(longest / spacing), most_parts)));
     const double area = (b - a).cross(c - a).norm() / 2 / (double(n) * n);
-    const auto add = [&](double u, double v) { samples.push_back({a + u / n * (b - a) + v / n * (c - a), area}); };
+    const auto add = [&](double u, double v) { samples.push_back({a + u / n * (b - a) + v / n * (c - a), area, -1}); };
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {
         add(i + 1 / 3.0, j + 1 / 3.0);

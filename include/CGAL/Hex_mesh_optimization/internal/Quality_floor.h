@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_FLOOR_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_FLOOR_H
+
+// What the corners of the hexahedra are penalized below: first a floor that rises
+// ahead of the worst corner, then one that holds what was reached.
+
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Quality_floor
+{
+public:
+  Quality_floor(const Hexahedral_complex& complex, const Maximization_parameters& parameters)
+    : complex_(complex)
+    , parameters_(parameters)
+    , lifts_(complex.hexahedra.size(), Hexahedron_energy::Floor{})
+    , floors_(complex.hexahedra.size())
+  {}
+
+  // One floor for all corners, a step above the worst one and never falling. Where the connectivity makes many hexahedra
+  // poor it stays where a given part of them lies: to lift all of those would cost the average.
+  void rise(const Mesh_quality& quality)
+  {
+    highest_ = (std::max)(highest_, quality.minimum);
+    floor_ = (std::max)(floor_, (std::min)({parameters_.floor_limit, quantile(quality), quality.minimum + parameters_.floor_step}));
+    for (Hexahedron_energy::Floor& floor : floors_)
+      floor.fill(floor_);
+  }
+
+  // A floor at what has to be kept. Corners that stay below have their own floors lifted until they do not: the multipliers
+  // of an augmented Lagrangian, over the weight of the floor.
+  void hold(const Mesh_quality& quality, const Positions& points)
+  {
+    highest_ = (std::max)(highest_, quality.minimum);
+    held_ = parameters_.hold * (std::min)(highest_, (std::max)(parameters_.hold_limit, quantile(quality) - parameters_.hold_gap));
+    for (std::size_t h = 0; h < floors_.size(); ++h) {
+      const auto corners = hexahedron_corners(points, complex_.hexahedra[h]);
+      for (int c = 0; c < 8; ++c) {
+        const double missing = held_ - corner_at(corners.data(), c).scaled_jacobian;
+        lifts_[h][c] = (std::min)((std::max)(0.0, lifts_[h][c] + missing), parameters_.largest_lift);
+        floors_[h][c] = held_ + parameters_.hold_margin + lifts_[h][c];
+      }
+    }
+  }
+
+  double held() const { return held_; }
+  const Hexahedron_energy::Floor& operator[](std::size_t hexahedron) const { return floors_[hexahedron]; }
+
+private:
+  double quantile(const Mesh_quality& quality) const
+  {
+    std::vector<double> sorted = quality.scaled_jacobians;
+    const std::size_t rank = static_cast<std::size_t>(parameters_.floor_fraction * sorted.size());
+    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+    return sorted[rank];
+  }
+
+  const Hexahedral_complex& complex_;
+  const Maximization_parameters parameters_;
+  double floor_ = 0, highest_ = 0, held_ = 0;
+  std::vector<Hexahedron_energy::Floor> lifts_, floors_;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_FLOOR_H
