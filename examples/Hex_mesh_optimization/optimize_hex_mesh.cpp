@@ -93,8 +93,8 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("DEGREES")->check(CLI::Range(0., 180.).description(""))->capture_default_str();
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")->type_name("FILE");
-  app.add_option("--method", o.method, "rectification alone, or with the maximization of quality after it (full)")
-    ->type_name("METHOD")->check(CLI::IsMember({"full", "rectification"}))->capture_default_str();
+  app.add_option("--method", o.method, "rectification or the maximization of quality alone, or one after the other (full)")
+    ->type_name("METHOD")->check(CLI::IsMember({"full", "rectification", "maximization"}))->capture_default_str();
   app.add_option("--edge-lengths", o.edge_lengths,
                  "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
     ->type_name("LENGTHS")->check(CLI::IsMember({"estimated", "input"}))->capture_default_str();
@@ -137,7 +137,7 @@ public:
     if (shows_progress_ && i.seconds >= next_) {
       next_ = i.seconds + .1; // no terminal needs more
       std::fprintf(stderr, "\r%.1f s  %s %zu: %zu inverted, scaled Jacobian minimum %.3f, mean %.3f\033[K", i.seconds,
-                   i.stage == HMO::Stage::RECTIFICATION ? "rectification" : "maximization", i.iteration, i.number_of_inverted,
+                   HMO::name(i.stage), i.iteration, i.number_of_inverted,
                    i.minimum, i.average);
       std::fflush(stderr);
     }
@@ -231,7 +231,9 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
     CGAL::parameters::features_angle_bound(o.features_angle)
       .fixed_boundary(o.fixed_boundary)
       .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
-      .optimization_method(o.method == "full" ? HMO::Method::FULL : HMO::Method::RECTIFICATION)
+      .optimization_method(o.method == "full"            ? HMO::Method::FULL
+                           : o.method == "rectification" ? HMO::Method::RECTIFICATION
+                                                         : HMO::Method::MAXIMIZATION)
       .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT : HMO::Target_edge_lengths::ESTIMATED)
       .number_of_iterations(o.iterations)
       .number_of_restarts(o.restarts)
@@ -341,9 +343,19 @@ Json json(const HMO::Quality_statistics& s)
           {"edge_ratio_99", s.edge_ratio_99}};
 }
 
+Json json(HMO::Stage stage)
+{
+  switch (stage) {
+  case HMO::Stage::RECTIFICATION: return "RECTIFICATION";
+  case HMO::Stage::UNTANGLING: return "UNTANGLING";
+  case HMO::Stage::MAXIMIZATION: return "MAXIMIZATION";
+  }
+  return Json();
+}
+
 Json json(const HMO::Iteration& i)
 {
-  return {{"stage", i.stage == HMO::Stage::RECTIFICATION ? "RECTIFICATION" : "MAXIMIZATION"},
+  return {{"stage", json(i.stage)},
           {"iteration", i.iteration},
           {"energy", i.energy},
           {"number_of_inverted", i.number_of_inverted},

@@ -160,7 +160,7 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *   \cgalParamNEnd
  *   \cgalParamNBegin{features_angle_bound}
  *     \cgalParamDescription{an edge of the reference is sharp if the normals of its faces differ by more than this
- *                           angle in degrees. Curves that end after a few edges in a smooth region are ignored.}
+ *                           angle in degrees. Short curves that do not separate two patches of the surface are ignored.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{45}
  *   \cgalParamNEnd
@@ -263,8 +263,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return why the optimization stopped, the quality before and after, the deviation from the reference and the
- *         hexahedra that are not valid
+ * \return why the optimization stopped, the quality before and after, the deviation from the reference, the hexahedra
+ *         that are not valid, and those whose quality the connectivity limits
  *
  * \throws Hex_mesh_optimization::Input_error if the mesh is empty, has a cell that is no hexahedron, a hexahedron with a
  *         repeated vertex, a coordinate that is not finite, or a boundary that is not a manifold; if the reference is

@@ -17,6 +17,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/Untangling.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/connectivity_limits.h>
 #include <CGAL/Hex_mesh_optimization/internal/deviation.h>
@@ -110,32 +111,14 @@ public:
     const Edge_relations relations(complex_);
     const std::vector<double> lengths = target_lengths(relations);
     const double start = control_.seconds();
-    const bool starts_harmonic = 2 * status.before.number_of_inverted > complex_.hexahedra.size();
-    if (starts_harmonic)
-      harmonic_start(complex_, *attachment_, best);
-    // quality maximization takes any valid state from there
-    const double rectified_quality = parameters_.method == Method::FULL ? (std::min)(0.0, parameters_.target_quality) : parameters_.target_quality;
-    const auto rectify = [&](Positions& points) {
-      Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
-        .run(points, control_, rectified_quality);
-    };
-    rectify(best);
-    if (!starts_harmonic && !control_.is_stopped() && Mesh_quality(complex_, best).invalid > 0) {
-      // what the given interior locks, another start may not
-      Positions other = points_;
-      harmonic_start(complex_, *attachment_, other);
-      rectify(other);
-      if (Mesh_quality(complex_, other).inverted < Mesh_quality(complex_, best).inverted)
-        best = std::move(other);
-    }
-    status.rectification_seconds = control_.seconds() - start;
-
-    if (parameters_.method == Method::FULL && !control_.is_stopped()) {
-      const double middle = control_.seconds();
-      maximize_quality(best, lengths);
+    if (parameters_.method != Method::MAXIMIZATION)
+      rectify(best, relations, lengths, 2 * status.before.number_of_inverted > complex_.hexahedra.size());
+    const double middle = control_.seconds();
+    status.rectification_seconds = middle - start;
+    if (parameters_.method != Method::RECTIFICATION && !control_.is_stopped()) {
+      maximize_quality(best, lengths, relations);
       status.maximization_seconds = control_.seconds() - middle;
     }
-
     write_back(best);
     finish(status);
     return status;
@@ -144,7 +127,27 @@ public:
   const Positions& positions() const { return result_; }
 
 private:
-  void maximize_quality(Positions& points, const std::vector<double>& lengths)
+  void rectify(Positions& points, const Edge_relations& relations, const std::vector<double>& lengths, bool starts_harmonic)
+  {
+    // quality maximization takes over from any valid state
+    const double target = parameters_.method == Method::FULL ? (std::min)(0.0, parameters_.target_quality) : parameters_.target_quality;
+    const auto run = [&](Positions& p) {
+      Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification).run(p, control_, target);
+    };
+    if (starts_harmonic)
+      harmonic_start(complex_, *attachment_, points);
+    run(points);
+    if (!starts_harmonic && !control_.is_stopped() && Mesh_quality(complex_, points).invalid > 0) {
+      // what the given interior locks, another start may not
+      Positions other = points_;
+      harmonic_start(complex_, *attachment_, other);
+      run(other);
+      if (Mesh_quality(complex_, other).inverted < Mesh_quality(complex_, points).inverted)
+        points = std::move(other);
+    }
+  }
+
+  void maximize_quality(Positions& points, const std::vector<double>& lengths, const Edge_relations& relations)
   {
     Maximization_parameters maximization = parameters_.maximization;
     maximization.maximum_deviation = parameters_.maximum_deviation / unit_;
@@ -152,7 +155,11 @@ private:
     std::vector<char> is_fixed(complex_.number_of_vertices());
     for (std::size_t v = 0; v < is_fixed.size(); ++v)
       is_fixed[v] = attachment_->kind[v] == Vertex_kind::FIXED;
-    Quality_maximization(complex_, attachment, lengths, is_fixed, maximization).run(points, control_, parameters_.target_quality);
+    if (Mesh_quality(complex_, points).inverted > 0)
+      Untangling(complex_, attachment, lengths, is_fixed, maximization).run(points, control_);
+    const bool are_estimated = !parameters_.target_length && parameters_.target_edge_lengths == Target_edge_lengths::ESTIMATED;
+    Quality_maximization(complex_, attachment, lengths, are_estimated ? &relations : nullptr, is_fixed, maximization)
+      .run(points, control_, parameters_.target_quality);
   }
 
   static const std::vector<Hexahedron>& checked(const Positions& points, std::vector<Hexahedron>& hexahedra, bool& reversed)

@@ -9,6 +9,7 @@
 // gradient and a positive definite model of the Hessian.
 
 #include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/hexahedron.h>
@@ -16,7 +17,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
@@ -135,18 +138,59 @@ inline void corner_derivatives(const Corner& corner, double f1, double f2, const
   }
 }
 
+using Hexahedron_lengths = std::array<double, 12>; // targets of the edges, in the order of hexahedron_edges
+
+inline std::vector<Hexahedron_lengths> hexahedron_lengths(const Hexahedral_complex& complex, const std::vector<double>& lengths)
+{
+  std::vector<Hexahedron_lengths> result(complex.hexahedra.size());
+  for (std::size_t h = 0; h < result.size(); ++h)
+    for (int k = 0; k < 12; ++k)
+      result[h][k] = lengths[complex.hexahedron_edges[h][k] / 2];
+  return result;
+}
+
+inline void corner_targets(const Hexahedron_lengths& lengths, int corner, double* target)
+{
+  for (int k = 0; k < 3; ++k)
+    target[k] = lengths[corner_edges[corner][k] / 2];
+}
+
+// From the edges that leave a corner to the vertices of the hexahedron.
+inline void add_corner(int corner, const Corner_derivatives& d, std::array<Vector_3, 8>& gradient,
+                       Block_matrix::Hexahedron_blocks& hessian)
+{
+  const auto subtract = [&hessian](int i, int j, const Matrix_3& B) {
+    if (i < j)
+      hessian[Block_matrix::local_block(i, j)] -= B;
+    else
+      hessian[Block_matrix::local_block(j, i)] -= B.transpose();
+  };
+  const Matrix_3 row[3] = {d.hessian[0][0] + d.hessian[0][1] + d.hessian[0][2],
+                           d.hessian[0][1].transpose() + d.hessian[1][1] + d.hessian[1][2],
+                           d.hessian[0][2].transpose() + d.hessian[1][2].transpose() + d.hessian[2][2]};
+  hessian[corner] += row[0] + row[1] + row[2];
+  for (int j = 0; j < 3; ++j) {
+    const int v = corner_neighbors[corner][j];
+    gradient[v] += d.gradient[j];
+    gradient[corner] -= d.gradient[j];
+    hessian[v] += d.hessian[j][j];
+    subtract(v, corner, row[j]);
+    for (int k = j + 1; k < 3; ++k)
+      subtract(v, corner_neighbors[corner][k], -d.hessian[j][k]);
+  }
+}
+
 // Over the corners of a hexahedron with scaled Jacobians s:
 //   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ κ/2 (m − 1)² + κ'/3 (m − 1)³,   m the mean ratio,
 // infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed.
 class Hexahedron_energy
 {
 public:
-  using Lengths = std::array<double, 12>; // targets, in the order of hexahedron_edges
   using Floor = std::array<double, 8>;    // τ of each corner
 
   explicit Hexahedron_energy(const Maximization_parameters& parameters) : parameters_(parameters) {}
 
-  double value(const Vector_3* x, const Lengths& lengths, const Floor& floor) const
+  double value(const Vector_3* x, const Hexahedron_lengths& lengths, const Floor& floor) const
   {
     double sum = 0, norm = 0;
     for (int i = 0; i < 8; ++i) {
@@ -155,7 +199,7 @@ public:
       if (!(s > 0))
         return std::numeric_limits<double>::infinity();
       double target[3];
-      targets(lengths, i, target);
+      corner_targets(lengths, i, target);
       const double below = (std::max)(0.0, floor[i] - s);
       sum += Shape_energy(parameters_, mean_ratio(corner, target)).value - parameters_.barrier_weight * std::log(s) +
              parameters_.floor_weight / 2 * below * below;
@@ -165,7 +209,7 @@ public:
   }
 
   // All scaled Jacobians must be positive. Overwrites both results.
-  void derivatives(const Vector_3* x, const Lengths& lengths, const Floor& floor, std::array<Vector_3, 8>& gradient,
+  void derivatives(const Vector_3* x, const Hexahedron_lengths& lengths, const Floor& floor, std::array<Vector_3, 8>& gradient,
                    Block_matrix::Hexahedron_blocks& hessian) const
   {
     gradient.fill(Vector_3::Zero());
@@ -183,42 +227,13 @@ public:
       const double f1 = -sixth * base[i] - parameters_.barrier_weight / s[i] - parameters_.floor_weight * below;
       const double f2 = 7 * sixth + parameters_.barrier_weight / (s[i] * s[i]) + (below > 0 ? parameters_.floor_weight : 0);
       double target[3];
-      targets(lengths, i, target);
+      corner_targets(lengths, i, target);
       corner_derivatives(corner_at(x, i), f1, f2, parameters_, target, d);
-      Matrix_3 row[3], total;
-      row[0] = d.hessian[0][0] + d.hessian[0][1] + d.hessian[0][2];
-      row[1] = d.hessian[0][1].transpose() + d.hessian[1][1] + d.hessian[1][2];
-      row[2] = d.hessian[0][2].transpose() + d.hessian[1][2].transpose() + d.hessian[2][2];
-      total = row[0] + row[1] + row[2];
-      hessian[i] += total;
-      for (int j = 0; j < 3; ++j) {
-        const int v = corner_neighbors[i][j];
-        gradient[v] += d.gradient[j];
-        gradient[i] -= d.gradient[j];
-        hessian[v] += d.hessian[j][j];
-        subtract(hessian, v, i, row[j]);
-        for (int k = j + 1; k < 3; ++k)
-          subtract(hessian, v, corner_neighbors[i][k], -d.hessian[j][k]);
-      }
+      add_corner(i, d, gradient, hessian);
     }
   }
 
 private:
-  static void targets(const Lengths& lengths, int corner, double* target)
-  {
-    for (int k = 0; k < 3; ++k)
-      target[k] = lengths[corner_edges[corner][k] / 2];
-  }
-
-  template <class Matrix>
-  static void subtract(Block_matrix::Hexahedron_blocks& hessian, int i, int j, const Matrix& B)
-  {
-    if (i < j)
-      hessian[Block_matrix::local_block(i, j)] -= B;
-    else
-      hessian[Block_matrix::local_block(j, i)] -= B.transpose();
-  }
-
   static double power_4(double x) { return x * x * (x * x); }
   static double power_8(double x) { return power_4(x) * power_4(x); }
   static double root_8(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }

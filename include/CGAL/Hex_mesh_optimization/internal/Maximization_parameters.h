@@ -26,32 +26,41 @@ struct Maximization_parameters
   double floor_weight = 1000;
   // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of edge
   // ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it (measured).
-  double shape_weight = .1;
-  double poor_shape_weight = .2;
+  double shape_weight = .16;
+  double poor_shape_weight = .4;
+
+  // How far estimated target lengths move, on a logarithmic scale, to the lengths reached at the end of the first phase.
+  double length_adaptation = .6;
 
   // --- Attachment of the boundary ---
   // Slope of the energy over the distance d, in a mesh whose mean boundary edge is one fiftieth of the diagonal of the
   // reference. In proportion to the edge: what counts is the deviation of the model, not that of one edge.
-  double attachment_weight = 1.65;
+  double attachment_weight = 1.15;
   double typical_edge = .02;
+  double size_exponent = 1.35;
   // Factor for a reference of its own. The boundary of a mesh, taken for its own reference, is as rough as the mesh.
   double trust = 5;
   // Below this the energy is quadratic, above linear: with the square of d the same average deviation buys less quality.
   double linear_distance = .03;
   // From about this distance on an additional term grows with the sixth power, up to twice the distance; relative to the
   // geometric mean of the edge and its typical length, as the bound has to suit both the element and the model.
-  double steep_weight = .2;
+  double steep_weight = .25;
   double steep_distance = .19;
   // Weights of the samples: 1 at vertices and centers of faces.
   double edge_sample_weight = .5;
   // Of samples of the reference, per area of one squared edge, and per edge length of a feature curve.
-  double pull_weight = 6;
+  double pull_weight = 11;
   double curve_pull_weight = .5;
-  double reference_spacing = .7; // in mean boundary edges
+  double reference_spacing = .6; // in mean boundary edges
   // Factor for features.
   double feature_weight = 5;
   // Samples keep their targets until they have moved this far.
   double still_distance = .02;
+
+  // --- Untangling: ε² = least + factor · min(0, lowest determinant)², as in Garanzha et al. ---
+  double least_regularization = 1e-6;
+  double regularization = .04;
+  std::size_t untangling_patience = 30; // iterations without a hexahedron less that is inverted
 
   // --- First phase: the worst corners climb, the boundary is loosely attached ---
   // Factor of all attachment weights. A tighter start freezes the minimum (measured: .07 instead of .70).
@@ -68,9 +77,9 @@ struct Maximization_parameters
   // --- Second phase: the attachment tightens, the worst corners are held ---
   // Held is this part of the minimum reached, but no more than the limit or, if that is higher, than the gap below
   // the floor_fraction of the hexahedra: a higher minimum than that is not worth the deviation.
-  double hold = .98;
+  double hold = .986;
   double hold_limit = .7;
-  double hold_gap = .1;
+  double hold_gap = .115;
   // The penalty acts from this far above what is held.
   double hold_margin = .04;
   // Bound of the multipliers, against hexahedra that cannot be held at all.
@@ -82,7 +91,7 @@ struct Maximization_parameters
   std::size_t waiting_patience = 8;
   // It ends when, fully tight, neither the minimum nor the average has gained so much in so many iterations.
   double least_gain_of_minimum = 2e-3;
-  double least_gain_of_average = 2e-4;
+  double least_gain_of_average = 1e-4;
   std::size_t patience = 10;
   std::size_t iterations = 100; // in both phases
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.

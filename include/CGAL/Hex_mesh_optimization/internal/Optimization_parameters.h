@@ -24,8 +24,9 @@ namespace Hex_mesh_optimization {
  */
 enum class Method
 {
-  FULL,         ///< Edge-cone rectification, then quality maximization.
-  RECTIFICATION ///< Edge-cone rectification alone: the method of the paper.
+  FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
+  RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
+  MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for meshes that are nearly valid.
 };
 
 /*!

@@ -17,6 +17,9 @@
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/newton_step.h>
+#include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
 
 #include <algorithm>
 #include <array>
@@ -32,23 +35,20 @@ namespace internal {
 class Quality_maximization
 {
 public:
-  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. The attachment must outlive
-  // the object.
+  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. With relations they are only
+  // estimates and may be adapted; without (null) they are kept. All but the numbers must outlive the object.
   Quality_maximization(const Hexahedral_complex& complex, Surface_attachment& attachment, const std::vector<double>& lengths,
-                       const std::vector<char>& is_fixed, const Maximization_parameters& parameters)
+                       const Edge_relations* relations, const std::vector<char>& is_fixed, const Maximization_parameters& parameters)
     : complex_(complex)
     , parameters_(parameters)
     , attachment_(attachment)
+    , relations_(relations)
     , matrix_(complex)
     , energy_(parameters)
     , floor_(complex, parameters)
-    , lengths_(complex.hexahedra.size())
+    , lengths_(hexahedron_lengths(complex, lengths))
     , is_fixed_(is_fixed)
-  {
-    for (std::size_t h = 0; h < lengths_.size(); ++h)
-      for (int k = 0; k < 12; ++k)
-        lengths_[h][k] = lengths[complex.hexahedron_edges[h][k] / 2];
-  }
+  {}
 
   // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
   // Does nothing if a hexahedron is inverted.
@@ -64,7 +64,11 @@ public:
     std::size_t waited = 0;
     attachment_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; i < parameters_.iterations && !control.is_stopped(); ++i) {
-      tightens = tightens || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
+      if (!tightens && climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience) {
+        tightens = true;
+        if (relations_)
+          adapt_lengths(points);
+      }
       if (!tightens)
         floor_.rise(quality);
       else {
@@ -76,7 +80,9 @@ public:
         }
       }
       attachment_.update(points);
-      const double energy = step(points);
+      const double energy = newton_step([this](const Positions& p) { return value(p); },
+                                        [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
+                                        is_fixed_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
       const double excess = (std::max)(0.0, attachment_.largest_distance(points) - parameters_.maximum_deviation);
       best.offer(points, quality, attachment_.tightness, excess, parameters_.accepted_loss);
@@ -155,7 +161,19 @@ private:
     std::size_t since_minimum_ = 0, since_average_ = 0;
   };
 
-  double energy(const Positions& points) const
+  // Moves the target lengths towards those that the loosely attached mesh has found to suit it: smoothly, so that they
+  // follow the shape of the model and not of single poor hexahedra.
+  void adapt_lengths(const Positions& points)
+  {
+    const std::vector<double> reached = smooth_edge_lengths(*relations_, edge_lengths(complex_, points));
+    for (std::size_t h = 0; h < lengths_.size(); ++h)
+      for (int k = 0; k < 12; ++k) {
+        double& length = lengths_[h][k];
+        length *= std::pow(reached[complex_.hexahedron_edges[h][k] / 2] / length, parameters_.length_adaptation);
+      }
+  }
+
+  double value(const Positions& points) const
   {
     double sum = attachment_.energy(points);
     for (std::size_t h = 0; h < complex_.hexahedra.size() && std::isfinite(sum); ++h)
@@ -163,54 +181,27 @@ private:
     return sum;
   }
 
-  void assemble(const Positions& points, Positions& gradient)
+  void assemble(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
-    matrix_.set_zero();
-    gradient.assign(points.size(), Vector_3::Zero());
     std::array<Vector_3, 8> g;
     Block_matrix::Hexahedron_blocks H;
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
       energy_.derivatives(hexahedron_corners(points, complex_.hexahedra[h]).data(), lengths_[h], floor_[h], g, H);
       for (int i = 0; i < 8; ++i)
         gradient[complex_.hexahedra[h][i]] += g[i];
-      matrix_.add(h, H);
+      matrix.add(h, H);
     }
-    attachment_.add_derivatives(points, gradient, matrix_);
-  }
-
-  // One Newton step with line search. Returns the energy reached.
-  double step(Positions& points)
-  {
-    Positions gradient, direction;
-    assemble(points, gradient);
-    for (Vector_3& g : gradient)
-      g = -g;
-    matrix_.solve(gradient, is_fixed_, parameters_.solver_tolerance, parameters_.solver_iterations, direction);
-    double slope = 0;
-    for (std::size_t v = 0; v < points.size(); ++v)
-      slope -= gradient[v].dot(direction[v]);
-    const double start = energy(points);
-    Positions trial(points.size());
-    double t = 1;
-    for (int i = 0; i < parameters_.line_search_steps; ++i, t /= 2) {
-      for (std::size_t v = 0; v < points.size(); ++v)
-        trial[v] = points[v] + t * direction[v];
-      const double reached = energy(trial);
-      if (reached <= start + parameters_.armijo * t * slope) {
-        points.swap(trial);
-        return reached;
-      }
-    }
-    return start;
+    attachment_.add_derivatives(points, gradient, matrix);
   }
 
   const Hexahedral_complex& complex_;
   const Maximization_parameters parameters_;
   Surface_attachment& attachment_;
+  const Edge_relations* relations_;
   Block_matrix matrix_;
   Hexahedron_energy energy_;
   Quality_floor floor_;
-  std::vector<Hexahedron_energy::Lengths> lengths_;
+  std::vector<Hexahedron_lengths> lengths_;
   const std::vector<char> is_fixed_;
 };
 

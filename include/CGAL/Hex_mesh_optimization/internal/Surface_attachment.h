@@ -71,7 +71,7 @@ public:
     , curve_samples_(surface.curves.size())
   {
     const double typical = parameters.typical_edge * bounding_box_diagonal(surface); // in mean boundary edges, which are 1
-    energy_ = {parameters.attachment_weight / typical * (trusted ? parameters.trust : 1), parameters.linear_distance,
+    energy_ = {parameters.attachment_weight / std::pow(typical, parameters.size_exponent) * (trusted ? parameters.trust : 1), parameters.linear_distance,
                parameters.steep_weight, parameters.steep_distance * std::sqrt(typical)};
     add_samples(complex);
     own_count_ = samples_.size();

@@ -86,7 +86,7 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
   if (verbose)
     p.on_iteration = [](const Iteration& i) {
-      std::cerr << (i.stage == Stage::RECTIFICATION ? "rectification " : "maximization ") << i.iteration << ": energy " << i.energy
+      std::cerr << name(i.stage) << ' ' << i.iteration << ": energy " << i.energy
                 << ", " << i.number_of_inverted << " inverted, minimum " << i.minimum << ", average " << i.average << '\n';
       return true;
     };

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -36,23 +37,17 @@ inline double mean_boundary_edge_length(const Hexahedral_complex& complex, const
   return sum / complex.boundary_edges.size();
 }
 
-// Minimizes eq. 22. Boundary edges are drawn to their lengths, interior ones to
-// the mean boundary length: it stands in for L_A because the interior of a
-// tangled mesh says nothing about lengths. The system is diagonally dominant, so
-// conjugate gradients need a number of steps that does not depend on the mesh;
-// each is linear in the number of edge pairs.
-inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                                 const Positions& points)
+// Minimizes eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel and consecutive
+// edges. The system is diagonally dominant, so conjugate gradients need a number of steps that does not depend on the
+// mesh; each is linear in the number of edge pairs.
+inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted)
 {
-  const std::size_t n = complex.edges.size();
-  const double mean = mean_boundary_edge_length(complex, points);
-  std::vector<double> right(n, mean), diagonal(n), lengths(n, mean);
-  const std::vector<double> given = edge_lengths(complex, points);
-  for (std::size_t e = 0; e < n; ++e) {
-    if (complex.is_boundary_edge[e])
-      right[e] = given[e];
+  const std::size_t n = wanted.size();
+  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
+  const std::vector<double>& right = wanted;
+  std::vector<double> diagonal(n), lengths(n, mean);
+  for (std::size_t e = 0; e < n; ++e)
     diagonal[e] = 1 + 2 * (relations.parallel_degree[e] + relations.consecutive_degree[e]);
-  }
   // each pair stands twice in the sums of eq. 22, once for either edge
   const auto apply = [&](const std::vector<double>& x, std::vector<double>& y) {
     for (std::size_t e = 0; e < n; ++e)
@@ -90,6 +85,19 @@ inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& compl
     rz = next;
   }
   return lengths;
+}
+
+// Boundary edges are drawn to their lengths, interior ones to the mean boundary length: it stands in for L_A because
+// the interior of a tangled mesh says nothing about lengths.
+inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
+                                                 const Positions& points)
+{
+  std::vector<double> wanted = edge_lengths(complex, points);
+  const double mean = mean_boundary_edge_length(complex, points);
+  for (std::size_t e = 0; e < wanted.size(); ++e)
+    if (!complex.is_boundary_edge[e])
+      wanted[e] = mean;
+  return smooth_edge_lengths(relations, wanted);
 }
 
 // eq. 23, 24: lengths move to the reached ones where the worst hexahedron around
