@@ -42,8 +42,7 @@ Boundary_attachment own_attachment(const Indexed_mesh& mesh, double angle_bound 
   for (const auto& p : mesh.points)
     points.emplace_back(p.x(), p.y(), p.z());
   const auto surface = boundary_as_reference(complex, points);
-  // in a mesh this small, no sharp edge is noise
-  trace_feature_curves(*surface, sharp_boundary_edges(complex, points, angle_bound), true, Feature_parameters());
+  trace_feature_curves(*surface, sharp_boundary_edges(complex, points, angle_bound), false, Feature_parameters());
   return attach_to_own_boundary(complex, *surface);
 }
 

@@ -265,6 +265,8 @@ void expect_bad_parameter(const std::string& name, const NamedParameters& np)
 TEST(Input_errors, of_parameters_without_a_usable_value)
 {
   expect_bad_parameter("target_quality", params::target_quality(nan));
+  for (double bad : {0., -1., -infinity, nan})
+    expect_bad_parameter("maximum_deviation", params::maximum_deviation(bad));
   for (double bad : {-1., nan})
     expect_bad_parameter("maximum_running_time", params::maximum_running_time(bad));
   for (double bad : {-1., 181., nan, infinity})

@@ -532,6 +532,67 @@ TEST(Optimize_hex_mesh_deviation, is_measured_from_a_separate_reference)
   EXPECT_GT(status.deviation.average, 0);
 }
 
+// Whose quality would gain from a boundary that leaves the surface
+Indexed_mesh sheared(const Mesh_family& family)
+{
+  return mapped(family(), [](const Point& p) { return Point(p.x() + 2 * p.z(), p.y(), p.z()); });
+}
+
+TEST_P(Optimize_hex_mesh, keeps_within_a_bound_of_the_deviation)
+{
+  for (const Indexed_mesh& intact : {GetParam()(), sheared(GetParam())}) {
+    const Surface_mesh surface = surface_of(intact);
+    for (double edges : {.3, .1})
+      for (std::uint64_t seed = 0; seed < 2; ++seed) {
+        SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(edges));
+        Indexed_mesh mesh = intact;
+        HMO::jitter_boundary(mesh.points, mesh.hexahedra, seed, .2);
+        const Indexed_mesh input = mesh;
+        const double bound = edges * intact.mean_edge_length();
+        const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface, params::maximum_deviation(bound));
+        expect_honest(input, mesh, status);
+        expect_never_worse(status);
+        EXPECT_TRUE(status.valid_mesh());
+        EXPECT_EQ(status.deviation_bound, bound);
+        EXPECT_EQ(status.is_within_deviation_bound(), status.deviation.maximum <= bound);
+        EXPECT_TRUE(status.is_within_deviation_bound()) << status.deviation.maximum << " of " << bound;
+      }
+  }
+}
+
+// It makes a difference
+TEST(Optimize_hex_mesh_deviation, is_larger_without_a_bound)
+{
+  const Indexed_mesh intact = sheared(mesh_families()[5]);
+  const Surface_mesh surface = surface_of(intact);
+  Indexed_mesh free = intact, bounded = intact;
+  const double bound = .1 * intact.mean_edge_length();
+  const Status without = CGAL::optimize_hex_mesh(free.points, free.hexahedra, surface);
+  const Status with = CGAL::optimize_hex_mesh(bounded.points, bounded.hexahedra, surface, params::maximum_deviation(bound));
+  EXPECT_GT(without.deviation.maximum, bound);
+  EXPECT_LE(with.deviation.maximum, bound);
+  EXPECT_EQ(without.deviation_bound, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(without.is_within_deviation_bound());
+  for (const Status* status : {&without, &with})
+    EXPECT_TRUE(status->valid_mesh());
+}
+
+// Whether the bound is met is measured, not promised.
+TEST_P(Optimize_hex_mesh, admits_to_have_missed_a_bound_of_the_deviation)
+{
+  const Surface_mesh surface = surface_of(GetParam()());
+  for (double edges : {1e-2, 1e-9}) {
+    Indexed_mesh mesh = GetParam()();
+    HMO::jitter_boundary(mesh.points, mesh.hexahedra, 4, .2);
+    const Indexed_mesh input = mesh;
+    const double bound = edges * mesh.mean_edge_length();
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface, params::maximum_deviation(bound));
+    expect_honest(input, mesh, status);
+    expect_never_worse(status);
+    EXPECT_EQ(status.is_within_deviation_bound(), status.deviation.maximum <= bound);
+  }
+}
+
 // --- Ends before the end -------------------------------------------------------------------
 
 struct Recorder
@@ -733,6 +794,114 @@ TEST(Optimize_hex_mesh_parameters, target_lengths_shape_the_interior)
           EXPECT_LT(mesh.points[u].z() - mesh.points[v].z(), .95);
         }
     }
+}
+
+// --- What only the boundary or the connectivity could change --------------------------------
+
+// Moves the vertex at a place. Returns its index.
+std::size_t move(Indexed_mesh& mesh, const Point& from, const Point& to)
+{
+  const auto vertex = std::find(mesh.points.begin(), mesh.points.end(), from);
+  EXPECT_NE(vertex, mesh.points.end());
+  *vertex = to;
+  return vertex - mesh.points.begin();
+}
+
+// The hexahedra around a vertex of a mesh of cubes once it was pushed inside out: whether they are locked with a fixed
+// boundary, and that they are not without one
+void expect_locked(const Point& from, const Point& to, bool is_locked)
+{
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{3, 3, 3}}, {{3, 3, 3}});
+  const std::size_t pushed = move(mesh, from, to);
+  std::vector<std::size_t> around;
+  for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h)
+    if (std::count(mesh.hexahedra[h].begin(), mesh.hexahedra[h].end(), pushed))
+      around.push_back(h);
+  for (Method method : {Method::RECTIFICATION, Method::FULL}) {
+    Indexed_mesh within = mesh, free = mesh;
+    const Status fixed = optimize(within, params::fixed_boundary(true).optimization_method(method));
+    expect_honest(mesh, within, fixed);
+    EXPECT_EQ(fixed.locked_hexahedra, is_locked ? around : std::vector<std::size_t>());
+    EXPECT_TRUE(std::includes(fixed.invalid_hexahedra.begin(), fixed.invalid_hexahedra.end(), fixed.locked_hexahedra.begin(),
+                              fixed.locked_hexahedra.end()));
+    const Status movable = optimize(free, params::optimization_method(method));
+    expect_honest(mesh, free, movable);
+    EXPECT_TRUE(movable.locked_hexahedra.empty());
+  }
+}
+
+TEST(Optimize_hex_mesh_locked, are_hexahedra_with_an_inverted_corner_on_the_boundary)
+{
+  expect_locked(Point(0, 0, 0), Point(.6, .6, .6), true);  // a corner of the block
+  expect_locked(Point(1, 0, 0), Point(1, .8, .8), true);   // on an edge
+  expect_locked(Point(1, 1, 0), Point(1, 1, 1.4), false);  // within a side: the vertices inside can make way
+  expect_locked(Point(0, 0, 0), Point(.2, .2, .2), false); // not far enough
+}
+
+// Held by the caller, not by a fixed boundary
+TEST(Optimize_hex_mesh_locked, are_hexahedra_between_constrained_vertices)
+{
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{2, 2, 2}}, {{2, 2, 2}});
+  move(mesh, Point(1, 1, 1), Point(1, 1, 2.5)); // out of the top
+  const std::vector<char> marks(mesh.points.size(), true);
+  const Status status = optimize(mesh, params::vertex_is_constrained_map(Constrained{&marks}));
+  EXPECT_EQ(status.locked_hexahedra, (std::vector<std::size_t>{4, 5, 6, 7}));
+  EXPECT_EQ(status.locked_hexahedra, status.invalid_hexahedra);
+}
+
+TEST_P(Optimize_hex_mesh, locks_nothing_that_can_move)
+{
+  Indexed_mesh mesh = tangled(GetParam(), 15);
+  EXPECT_TRUE(optimize(mesh, params::number_of_iterations(1).number_of_restarts(0)).locked_hexahedra.empty());
+}
+
+TEST(Optimize_hex_mesh_connectivity_limits, of_a_block_are_none)
+{
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    Indexed_mesh mesh = tangled(mesh_families()[0], seed);
+    EXPECT_TRUE(optimize(mesh, rectification).connectivity_limits.empty());
+  }
+}
+
+// Of three hexahedra around an edge, at least one is no better than the limit.
+TEST(Optimize_hex_mesh_connectivity_limits, of_a_cylinder_are_at_its_lines_with_three_hexahedra)
+{
+  for (Method method : {Method::RECTIFICATION, Method::FULL}) {
+    Indexed_mesh mesh;
+    HMO::make_cylinder(mesh.points, mesh.hexahedra, 3, 4);
+    const auto complex = mesh.complex();
+    std::vector<std::vector<std::size_t>> at_edges(complex.edges.size());
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
+      for (int directed : complex.hexahedron_edges[h])
+        at_edges[directed / 2].push_back(h);
+    HMO::scramble_interior(mesh.points, mesh.hexahedra, 3);
+    const Status status = optimize(mesh, params::optimization_method(method));
+    const std::vector<double> quality = HMO::scaled_jacobians(mesh.points, mesh.hexahedra);
+    std::vector<char> is_reported(mesh.hexahedra.size(), false);
+    for (const HMO::Connectivity_limit& limit : status.connectivity_limits) {
+      EXPECT_EQ(limit.reason, HMO::Connectivity_limit_reason::INTERIOR_EDGE);
+      EXPECT_NEAR(limit.largest_scaled_jacobian, std::sqrt(.75), 1e-12);
+      EXPECT_LE(quality[limit.hexahedron], limit.largest_scaled_jacobian);
+      EXPECT_FALSE(is_reported[limit.hexahedron]);
+      is_reported[limit.hexahedron] = true;
+    }
+    EXPECT_TRUE(std::is_sorted(status.connectivity_limits.begin(), status.connectivity_limits.end(),
+                               [](const auto& a, const auto& b) { return a.hexahedron < b.hexahedron; }));
+    std::vector<char> is_limited(mesh.hexahedra.size(), false);
+    int lines = 0;
+    for (std::size_t e = 0; e < at_edges.size(); ++e)
+      if (!complex.is_boundary_edge[e] && at_edges[e].size() == 3) {
+        ++lines;
+        EXPECT_TRUE(std::any_of(at_edges[e].begin(), at_edges[e].end(), [&](std::size_t h) { return is_reported[h]; }));
+        for (std::size_t h : at_edges[e])
+          is_limited[h] = true;
+      }
+    EXPECT_EQ(lines, 4 * 4);
+    for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h)
+      EXPECT_TRUE(is_limited[h] || !is_reported[h]) << h;
+  }
 }
 
 } // namespace

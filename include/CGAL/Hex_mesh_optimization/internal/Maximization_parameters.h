@@ -53,7 +53,7 @@ struct Maximization_parameters
   double curve_pull_weight = .5;
   double reference_spacing = .6; // in mean boundary edges
   // Factor for features.
-  double feature_weight = 5;
+  double feature_weight = 7;
   // Samples keep their targets until they have moved this far.
   double still_distance = .02;
 

@@ -1,0 +1,797 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The energies of quality maximization against finite differences and their
+// symmetries, what corners are penalized below, and what a run never spoils.
+
+#include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/Distance_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Quality_floor.h>
+#include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
+#include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
+
+#include "hexahedron_rotations.h"
+#include "mesh_families.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+using namespace CGAL::Hex_mesh_optimization::internal;
+using Lengths = Hexahedron_lengths;
+using Floor = Hexahedron_energy::Floor;
+using Corners = std::array<Vector_3, 8>;
+
+double uniform(std::mt19937& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Vector_3 random_vector(std::mt19937& random, double size)
+{
+  return Vector_3(uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size));
+}
+
+Matrix_3 random_rotation(std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized().toRotationMatrix();
+}
+
+// --- Energy of a hexahedron ----------------------------------------------------------
+
+Corners box(const Vector_3& size)
+{
+  Corners x;
+  for (int i = 0; i < 8; ++i)
+    x[i] = Vector_3(unit_corners[i][0], unit_corners[i][1], unit_corners[i][2]).cwiseProduct(size);
+  return x;
+}
+
+Lengths lengths_of(const Corners& x)
+{
+  Lengths lengths;
+  for (int k = 0; k < 12; ++k)
+    lengths[k] = (x[hexahedron_edges[k][1]] - x[hexahedron_edges[k][0]]).norm();
+  return lengths;
+}
+
+double worst_corner(const Corners& x)
+{
+  double worst = 1;
+  for (int i = 0; i < 8; ++i)
+    worst = (std::min)(worst, corner_at(x.data(), i).scaled_jacobian);
+  return worst;
+}
+
+// A hexahedron with its arguments to the energy
+struct Element
+{
+  Corners x;
+  Lengths lengths;
+  Floor floor;
+
+  double value(const Hexahedron_energy& energy) const { return energy.value(x.data(), lengths, floor); }
+
+  Corners gradient(const Hexahedron_energy& energy) const
+  {
+    Corners g;
+    Block_matrix::Hexahedron_blocks H;
+    energy.derivatives(x.data(), lengths, floor, g, H);
+    return g;
+  }
+
+  Eigen::Matrix<double, 24, 24> hessian(const Hexahedron_energy& energy) const
+  {
+    Corners g;
+    Block_matrix::Hexahedron_blocks H;
+    energy.derivatives(x.data(), lengths, floor, g, H);
+    Eigen::Matrix<double, 24, 24> A;
+    for (int i = 0; i < 8; ++i)
+      A.block<3, 3>(3 * i, 3 * i) = H[i];
+    for (int i = 0; i < 8; ++i)
+      for (int j = i + 1; j < 8; ++j) {
+        const Matrix_3& B = H[Block_matrix::local_block(i, j)];
+        A.block<3, 3>(3 * i, 3 * j) = B;
+        A.block<3, 3>(3 * j, 3 * i) = B.transpose();
+      }
+    return A;
+  }
+};
+
+// Boxes from slightly to badly distorted; target lengths from their own ones to others altogether; floors below, among and
+// above the scaled Jacobians
+template <class Test>
+void for_random_elements(int trials, const Test& test)
+{
+  std::mt19937 random(7);
+  int valid = 0;
+  for (int trial = 0; valid < trials; ++trial) {
+    SCOPED_TRACE(trial);
+    const double flatness = trial % 3, distortion = .1 + .05 * (trial % 8), freedom = trial % 4 * .4, floor = trial % 5 * .3;
+    Element e;
+    e.x = box(Vector_3(1, std::pow(2., flatness), std::pow(.5, flatness)));
+    e.lengths = lengths_of(e.x);
+    for (Vector_3& p : e.x)
+      p += random_vector(random, distortion * std::pow(.5, flatness));
+    if (worst_corner(e.x) < .05)
+      continue;
+    ++valid;
+    for (double& l : e.lengths)
+      l *= std::exp(uniform(random, -freedom, freedom));
+    for (double& f : e.floor)
+      f = uniform(random, .5, 1) * floor;
+    test(e, random);
+    if (::testing::Test::HasFailure())
+      return;
+  }
+}
+
+TEST(Hexahedron_energy, has_the_gradient_of_its_value)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  for_random_elements(400, [&](const Element& e, std::mt19937&) {
+    const Corners g = e.gradient(energy);
+    double square = 0, error = 0;
+    for (int i = 0; i < 8; ++i)
+      for (int d = 0; d < 3; ++d) {
+        const double h = 1e-6;
+        Element plus = e, minus = e;
+        plus.x[i][d] += h;
+        minus.x[i][d] -= h;
+        const double difference = (plus.value(energy) - minus.value(energy)) / (2 * h);
+        square += difference * difference;
+        error += (g[i][d] - difference) * (g[i][d] - difference);
+      }
+    EXPECT_GT(square, 0);
+    EXPECT_LT(std::sqrt(error), 1e-5 * std::sqrt(square));
+  });
+}
+
+TEST(Hexahedron_energy, has_a_model_of_the_hessian_without_negative_curvature)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  for_random_elements(400, [&](const Element& e, std::mt19937&) {
+    const Eigen::Matrix<double, 24, 24> A = e.hessian(energy);
+    ASSERT_TRUE(A.allFinite());
+    const double largest = A.cwiseAbs().maxCoeff();
+    EXPECT_LE((A - A.transpose()).cwiseAbs().maxCoeff(), 1e-12 * largest);
+    const auto values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 24, 24>>(A).eigenvalues();
+    EXPECT_GT(values.maxCoeff(), 0);
+    EXPECT_GE(values.minCoeff(), -1e-9 * values.maxCoeff());
+    for (int d = 0; d < 3; ++d) { // nothing is felt of a translation
+      Eigen::Matrix<double, 24, 1> t = Eigen::Matrix<double, 24, 1>::Zero();
+      for (int i = 0; i < 8; ++i)
+        t[3 * i + d] = 1;
+      EXPECT_LE((A * t).norm(), 1e-9 * values.maxCoeff());
+    }
+  });
+}
+
+// Where the model has the most to do: a corner that is all but flat
+TEST(Hexahedron_energy, has_a_model_of_the_hessian_next_to_inversion)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  for (double height : {1e-1, 1e-3, 1e-6}) {
+    SCOPED_TRACE(height);
+    Element e{box(Vector_3(1, 1, 1)), {}, {}};
+    e.x[0] = Vector_3::Constant((1 - height) / 3); // above the plane of its neighbors
+    e.lengths = lengths_of(e.x);
+    e.floor.fill(.5);
+    ASSERT_GT(worst_corner(e.x), 0);
+    ASSERT_LT(worst_corner(e.x), 3 * height);
+    const Eigen::Matrix<double, 24, 24> A = e.hessian(energy);
+    ASSERT_TRUE(A.allFinite());
+    const auto values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 24, 24>>(A).eigenvalues();
+    EXPECT_GE(values.minCoeff(), -1e-9 * values.maxCoeff());
+  }
+}
+
+TEST(Hexahedron_energy, is_infinite_where_a_corner_is_inverted)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  std::mt19937 random(3);
+  int inverted = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    Element e{box(Vector_3(1, 1, 1)), {}, {}};
+    e.lengths.fill(1);
+    for (Vector_3& p : e.x)
+      p += random_vector(random, .5);
+    const bool is_inverted = worst_corner(e.x) <= 0;
+    inverted += is_inverted;
+    EXPECT_EQ(e.value(energy) == std::numeric_limits<double>::infinity(), is_inverted);
+    EXPECT_EQ(std::isfinite(e.value(energy)), !is_inverted);
+  }
+  EXPECT_GT(inverted, 100);
+  EXPECT_LT(inverted, 900);
+
+  Element flat{box(Vector_3(1, 1, 1)), {}, {}};
+  flat.lengths.fill(1);
+  flat.x[0] = Vector_3(.5, .5, 0); // on a line with its neighbors 1 and 3
+  EXPECT_EQ(worst_corner(flat.x), 0);
+  EXPECT_EQ(flat.value(energy), std::numeric_limits<double>::infinity());
+  flat.x[1] = flat.x[0]; // an edge without length
+  EXPECT_EQ(flat.value(energy), std::numeric_limits<double>::infinity());
+}
+
+TEST(Hexahedron_energy, does_not_depend_on_place_and_unit_of_length)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  for_random_elements(200, [&](const Element& e, std::mt19937& random) {
+    const double scale = std::exp(uniform(random, -5, 5));
+    const Matrix_3 rotation = random_rotation(random);
+    const Vector_3 translation = random_vector(random, 10 * scale);
+    Element image = e;
+    for (Vector_3& p : image.x)
+      p = scale * rotation * p + translation;
+    for (double& l : image.lengths)
+      l *= scale;
+    EXPECT_NEAR(image.value(energy), e.value(energy), 1e-9 * std::abs(e.value(energy)));
+    const Corners g = e.gradient(energy), of_image = image.gradient(energy);
+    double largest = 0;
+    for (const Vector_3& v : g)
+      largest = (std::max)(largest, v.norm());
+    for (int i = 0; i < 8; ++i)
+      EXPECT_LT((scale * of_image[i] - rotation * g[i]).norm(), 1e-8 * largest);
+  });
+}
+
+TEST(Hexahedron_energy, does_not_depend_on_the_numbering)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  const auto rotations = numberings(1);
+  ASSERT_EQ(rotations.size(), 24u);
+  for_random_elements(20, [&](const Element& e, std::mt19937&) {
+    for (const auto& rotation : rotations) {
+      Element image;
+      for (int i = 0; i < 8; ++i) {
+        image.x[i] = e.x[rotation[i]];
+        image.floor[i] = e.floor[rotation[i]];
+      }
+      for (int k = 0; k < 12; ++k)
+        for (int l = 0; l < 12; ++l)
+          if (std::minmax(rotation[hexahedron_edges[k][0]], rotation[hexahedron_edges[k][1]]) ==
+              std::minmax(hexahedron_edges[l][0], hexahedron_edges[l][1]))
+            image.lengths[k] = e.lengths[l];
+      EXPECT_NEAR(image.value(energy), e.value(energy), 1e-12 * std::abs(e.value(energy)));
+    }
+  });
+}
+
+// Whatever its corners are penalized below
+TEST(Hexahedron_energy, is_stationary_at_a_box_of_the_target_lengths)
+{
+  const Hexahedron_energy energy((Maximization_parameters()));
+  std::mt19937 random(1);
+  for (const Vector_3& size : {Vector_3(1, 1, 1), Vector_3(1, 2, 3), Vector_3(.1, 1, 10)})
+    for (double floor : {0., .7, 1.5}) {
+      Element e{box(size), lengths_of(box(size)), {}};
+      e.floor.fill(floor);
+      for (const Vector_3& g : e.gradient(energy))
+        EXPECT_LT(g.norm(), 1e-9 * (1 + 1000 * floor));
+      for (int trial = 0; trial < 50; ++trial) { // it is a minimum
+        Element other = e;
+        for (Vector_3& p : other.x)
+          p += random_vector(random, .05 * size.minCoeff());
+        EXPECT_GT(other.value(energy), e.value(energy));
+      }
+    }
+}
+
+// --- Energy of a distance --------------------------------------------------------------
+
+const Distance_energy distance_energies[] = {{1.65, .03, .2, .19}, {8, .03, .2, .6}, {1, 1, 0, 1}, {1e-3, .1, 5, .01}};
+
+TEST(Distance_energy, has_the_slope_of_its_value)
+{
+  for (const Distance_energy& energy : distance_energies)
+    for (double d = .01 * energy.linear_distance; d < 100; d *= 1.37) { // below, rounding of the value dominates
+      const double h = 1e-4 * d, difference = (energy.value(d + h) - energy.value(d - h)) / (2 * h);
+      EXPECT_NEAR(energy.derivatives(d).slope, difference / d, 1e-6 * difference / d) << d;
+    }
+}
+
+TEST(Distance_energy, is_least_and_smooth_at_zero)
+{
+  for (const Distance_energy& energy : distance_energies) {
+    EXPECT_EQ(energy.value(0), 0);
+    EXPECT_NEAR(energy.derivatives(0).slope, energy.linear_weight / energy.linear_distance, 1e-12 * energy.derivatives(0).slope);
+    EXPECT_NEAR(energy.derivatives(1e-9).slope, energy.derivatives(0).slope, 1e-9 * energy.derivatives(0).slope);
+  }
+}
+
+TEST(Distance_energy, goes_smoothly_over_to_its_tangent)
+{
+  for (const Distance_energy& energy : distance_energies) {
+    const double d = 2 * energy.steep_distance, h = 1e-9;
+    EXPECT_NEAR(energy.value((1 - h) * d), energy.value((1 + h) * d), 1e-7 * energy.value(d));
+    EXPECT_NEAR(energy.derivatives((1 - h) * d).slope, energy.derivatives((1 + h) * d).slope, 1e-7 * energy.derivatives(d).slope);
+  }
+}
+
+TEST(Distance_energy, grows_and_is_not_underestimated_by_its_model)
+{
+  for (const Distance_energy& energy : distance_energies) {
+    double before = 0;
+    for (double d = 1e-4; d < 100; d *= 1.13) {
+      const Distance_energy::Derivatives now = energy.derivatives(d);
+      EXPECT_GT(energy.value(d), before);
+      before = energy.value(d);
+      EXPECT_GT(now.slope, 0);
+      EXPECT_GE(now.growth, 0);
+      const double h = 1e-4 * d;
+      const double second = (energy.derivatives(d + h).slope * (d + h) - energy.derivatives(d - h).slope * (d - h)) / (2 * h);
+      EXPECT_GE(now.slope + now.growth * d * d, second * (1 - 1e-5)) << d;
+    }
+  }
+}
+
+TEST(Distance_energy, is_linear_far_away)
+{
+  for (const Distance_energy& energy : distance_energies) {
+    const double rate = energy.linear_weight + 192 * energy.steep_weight / energy.steep_distance; // 192 is ψ'(2)
+    for (double d : {1e4, 1e6}) {
+      EXPECT_NEAR((energy.value(2 * d) - energy.value(d)) / d, rate, 1e-6 * rate);
+      EXPECT_NEAR(energy.derivatives(d).slope * d, rate, 1e-6 * rate);
+      EXPECT_EQ(energy.derivatives(d).growth, 0);
+    }
+  }
+}
+
+// --- The matrix ----------------------------------------------------------------------------
+
+// Vertices in any order, so that blocks stand on either side of the diagonal
+Hexahedral_complex shuffled_complex(const Indexed_mesh& mesh, std::mt19937& random)
+{
+  std::vector<int> number(mesh.points.size());
+  for (std::size_t v = 0; v < number.size(); ++v)
+    number[v] = static_cast<int>(v);
+  std::shuffle(number.begin(), number.end(), random);
+  std::vector<Hexahedron> hexahedra;
+  for (const auto& h : mesh.hexahedra) {
+    hexahedra.emplace_back();
+    for (int i = 0; i < 8; ++i)
+      hexahedra.back()[i] = number[h[i]];
+  }
+  return Hexahedral_complex(number.size(), hexahedra);
+}
+
+TEST(Block_matrix, takes_a_hexahedron_as_it_takes_its_blocks)
+{
+  std::mt19937 random(5);
+  for (const Mesh_family& family : mesh_families()) {
+    SCOPED_TRACE(family.name);
+    const Hexahedral_complex complex = shuffled_complex(family(), random);
+    const int n = static_cast<int>(complex.number_of_vertices());
+    Block_matrix whole(complex), one_by_one(complex);
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+    for (Block_matrix* matrix : {&whole, &one_by_one})
+      matrix->set_zero();
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
+      Eigen::Matrix<double, 24, 24> A = Eigen::Matrix<double, 24, 24>::NullaryExpr([&] { return uniform(random, -1, 1); });
+      A = (A.transpose() * A).eval() + Eigen::Matrix<double, 24, 24>::Identity();
+      Block_matrix::Hexahedron_blocks blocks;
+      for (int i = 0; i < 8; ++i)
+        for (int j = i; j < 8; ++j) {
+          const Matrix_3 B = A.block<3, 3>(3 * i, 3 * j);
+          const int v = complex.hexahedra[h][i], u = complex.hexahedra[h][j];
+          blocks[i == j ? i : Block_matrix::local_block(i, j)] = B;
+          one_by_one.add(v, u, B);
+          dense.block<3, 3>(3 * v, 3 * u) += B;
+          if (i != j)
+            dense.block<3, 3>(3 * u, 3 * v) += B.transpose();
+        }
+      whole.add(h, blocks);
+    }
+    std::vector<char> is_fixed(n);
+    for (int v = 0; v < n; ++v)
+      is_fixed[v] = v % 7 == 3;
+    Positions b, x, y;
+    for (int v = 0; v < n; ++v)
+      b.push_back(random_vector(random, 1));
+    whole.solve(b, is_fixed, 1e-6, 10000, x);
+    one_by_one.solve(b, is_fixed, 1e-6, 10000, y);
+    EXPECT_EQ(whole.diagonal, one_by_one.diagonal);
+    EXPECT_EQ(x, y);
+
+    // and it is the matrix that was meant
+    Eigen::VectorXd solution(3 * n);
+    for (int v = 0; v < n; ++v)
+      solution.segment<3>(3 * v) = x[v];
+    const Eigen::VectorXd product = dense * solution;
+    for (int v = 0; v < n; ++v)
+      if (is_fixed[v]) {
+        EXPECT_EQ(x[v], Vector_3(Vector_3::Zero()));
+      }
+      else {
+        EXPECT_LT((product.segment<3>(3 * v) - b[v]).norm(), 1e-3);
+      }
+  }
+}
+
+// --- The floor -------------------------------------------------------------------------------
+
+Positions positions(const Indexed_mesh& mesh)
+{
+  Positions points;
+  for (const auto& p : mesh.points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  return points;
+}
+
+TEST(Quality_floor, never_falls_while_it_rises)
+{
+  const Maximization_parameters parameters;
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  Quality_floor floor(complex, parameters);
+  std::mt19937 random(2);
+  double before = 0, best = -1;
+  for (int i = 0; i < 100; ++i) {
+    Positions points = positions(mesh);
+    for (Vector_3& p : points)
+      p += random_vector(random, uniform(random, .2, .5) * (1 - i / 100.));
+    const Mesh_quality quality(complex, points);
+    best = (std::max)(best, quality.minimum);
+    floor.rise(quality);
+    const double now = floor[0][0];
+    EXPECT_GE(now, before);
+    EXPECT_GE(now, 0);
+    EXPECT_LE(now, parameters.floor_limit);
+    EXPECT_LE(now, (std::max)(0., best + parameters.floor_step));
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
+      for (double f : floor[h])
+        EXPECT_EQ(f, now);
+    before = now;
+  }
+  EXPECT_EQ(before, parameters.floor_limit);
+}
+
+// Where the connectivity makes many hexahedra poor
+TEST(Quality_floor, rises_no_higher_than_a_part_of_the_hexahedra)
+{
+  const Maximization_parameters parameters;
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  Quality_floor floor(complex, parameters);
+  Mesh_quality quality(complex, positions(mesh));
+  const std::size_t poor = static_cast<std::size_t>(parameters.floor_fraction * complex.hexahedra.size()) + 1;
+  for (std::size_t h = 0; h < poor; ++h)
+    quality.scaled_jacobians[h] = .5;
+  quality.minimum = .45;
+  floor.rise(quality);
+  EXPECT_EQ(floor[0][0], .5);
+  quality.scaled_jacobians[0] = 1;
+  floor.rise(quality);
+  EXPECT_EQ(floor[0][0], .45 + parameters.floor_step);
+}
+
+// As long as a corner stays below, its floor rises, up to a limit; once it does not, its floor comes down again
+TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
+{
+  const Maximization_parameters parameters;
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  const Positions good = positions(mesh);
+  Positions poor = good;
+  const auto interior = std::find(complex.is_on_boundary.begin(), complex.is_on_boundary.end(), false);
+  poor[interior - complex.is_on_boundary.begin()] += Vector_3(.4, .4, .3);
+
+  Quality_floor floor(complex, parameters);
+  floor.rise(Mesh_quality(complex, good));
+  std::vector<Floor> before(complex.hexahedra.size(), Floor{});
+  const auto hold = [&](const Positions& points) { // returns how many corners are lifted
+    floor.hold(Mesh_quality(complex, points), points);
+    int lifted = 0;
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
+      const auto corners = hexahedron_corners(points, complex.hexahedra[h]);
+      for (int c = 0; c < 8; ++c) {
+        const double lift = floor[h][c] - (floor.held() + parameters.hold_margin);
+        if (corner_at(corners.data(), c).scaled_jacobian < floor.held()) {
+          EXPECT_GT(lift, 0);
+          EXPECT_TRUE(lift > before[h][c] || lift > parameters.largest_lift - 1e-12) << lift;
+        }
+        else {
+          EXPECT_GE(lift, 0);
+          EXPECT_TRUE(lift < before[h][c] || lift == 0) << lift;
+        }
+        EXPECT_LE(lift, parameters.largest_lift + 1e-12);
+        lifted += lift > 0;
+        before[h][c] = lift;
+      }
+    }
+    return lifted;
+  };
+  const int lifted = hold(poor);
+  EXPECT_GT(lifted, 0);
+  EXPECT_LT(lifted, 8 * 8) << "of the corners around one vertex";
+  for (int round = 0; round < 40; ++round)
+    EXPECT_EQ(hold(poor), lifted);
+  for (int round = 0; round < 40; ++round)
+    EXPECT_LE(hold(good), lifted);
+  EXPECT_EQ(hold(good), 0);
+}
+
+TEST(Quality_floor, holds_no_more_than_was_reached)
+{
+  const Maximization_parameters parameters;
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 50; ++trial) {
+    Positions points = positions(mesh);
+    for (Vector_3& p : points)
+      p += random_vector(random, .004 * trial);
+    const Mesh_quality quality(complex, points);
+    Quality_floor floor(complex, parameters);
+    floor.hold(quality, points);
+    EXPECT_LE(floor.held(), (std::max)(0., quality.minimum));
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
+      for (double f : floor[h])
+        EXPECT_EQ(f, floor.held() + parameters.hold_margin) << "nothing is below what is held";
+  }
+}
+
+// --- A mesh with all that a run needs ------------------------------------------------------------
+
+struct Setting
+{
+  Hexahedral_complex complex;
+  Positions points; // in units of the mean boundary edge
+  std::unique_ptr<Reference_surface> surface;
+  Boundary_attachment attachment;
+  Edge_relations relations;
+  std::vector<double> lengths;
+  std::vector<char> is_fixed;
+  Maximization_parameters parameters;
+
+  explicit Setting(const Indexed_mesh& mesh)
+    : complex(mesh.complex())
+    , points(normalized(complex, positions(mesh)))
+    , surface(own_reference(complex, points))
+    , attachment(attach_to_own_boundary(complex, *surface))
+    , relations(complex)
+    , lengths(edge_lengths(complex, points))
+    , is_fixed(points.size(), false)
+  {}
+
+  void fix(std::size_t v)
+  {
+    is_fixed[v] = true;
+    attachment.kind[v] = Vertex_kind::FIXED;
+  }
+
+  void scramble(std::mt19937& random, double amplitude, bool and_boundary)
+  {
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (and_boundary || !complex.is_on_boundary[v])
+        points[v] += random_vector(random, amplitude);
+  }
+
+  Surface_attachment surface_attachment() const
+  {
+    return Surface_attachment(complex, *surface, attachment, lengths, false, parameters);
+  }
+
+  void run(Run_control& control, double target_quality = std::numeric_limits<double>::infinity())
+  {
+    Surface_attachment surface_attachment = this->surface_attachment();
+    Quality_maximization(complex, surface_attachment, lengths, &relations, is_fixed, parameters)
+      .run(points, control, target_quality);
+  }
+
+private:
+  static Positions normalized(const Hexahedral_complex& complex, Positions points)
+  {
+    const double unit = mean_boundary_edge_length(complex, points);
+    for (Vector_3& p : points)
+      p /= unit;
+    return points;
+  }
+
+  static std::unique_ptr<Reference_surface> own_reference(const Hexahedral_complex& complex, const Positions& points)
+  {
+    auto surface = boundary_as_reference(complex, points);
+    trace_feature_curves(*surface, sharp_boundary_edges(complex, points, 45), false, Feature_parameters());
+    return surface;
+  }
+};
+
+class Maximization : public ::testing::TestWithParam<Mesh_family> {};
+
+std::string family_name(const ::testing::TestParamInfo<Mesh_family>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Families, Maximization, ::testing::ValuesIn(mesh_families()), family_name);
+
+// --- Attachment of the boundary ------------------------------------------------------------------
+
+// Targets stay where they were found
+TEST_P(Maximization, attachment_has_the_gradient_of_its_energy)
+{
+  std::mt19937 random(6);
+  for (double bound : {std::numeric_limits<double>::infinity(), .05}) {
+    Setting s(GetParam()());
+    s.parameters.maximum_deviation = bound;
+    Surface_attachment attachment = s.surface_attachment();
+    attachment.tightness = .3;
+    s.scramble(random, .1, true);
+    for (int round = 0; round < 2; ++round) {
+      attachment.update(s.points);
+      s.scramble(random, .02, true);
+    }
+    Positions gradient(s.points.size(), Vector_3::Zero());
+    Block_matrix matrix(s.complex);
+    matrix.set_zero();
+    attachment.add_derivatives(s.points, gradient, matrix);
+    double largest = 0;
+    for (const Vector_3& g : gradient)
+      largest = (std::max)(largest, g.norm());
+    EXPECT_GT(largest, 0);
+    for (std::size_t v = 0; v < s.points.size(); ++v) {
+      if (!s.complex.is_on_boundary[v]) {
+        EXPECT_EQ(gradient[v], Vector_3(Vector_3::Zero()));
+      }
+      EXPECT_GE(Eigen::SelfAdjointEigenSolver<Matrix_3>(matrix.diagonal[v]).eigenvalues().minCoeff(),
+                -1e-9 * matrix.diagonal[v].norm());
+    }
+    for (int trial = 0; trial < 20; ++trial) { // along random directions
+      const double h = 1e-6;
+      Positions plus = s.points, minus = s.points;
+      double slope = 0, size = 0;
+      for (std::size_t v = 0; v < s.points.size(); ++v) {
+        const Vector_3 d = random_vector(random, 1);
+        plus[v] += h * d;
+        minus[v] -= h * d;
+        slope += gradient[v].dot(d);
+        size += gradient[v].norm() * d.norm();
+      }
+      EXPECT_NEAR((attachment.energy(plus) - attachment.energy(minus)) / (2 * h), slope, 1e-6 * size);
+    }
+  }
+}
+
+TEST_P(Maximization, attachment_is_at_rest_on_the_reference)
+{
+  const Setting s(GetParam()());
+  Surface_attachment attachment = s.surface_attachment();
+  attachment.update(s.points);
+  EXPECT_LT(attachment.largest_distance(s.points), .1); // not 0: the center of a quad may lie off both its triangles
+  const double at_rest = attachment.energy(s.points);
+  Positions moved = s.points;
+  for (Vector_3& p : moved)
+    p += Vector_3(.5, .5, .5);
+  attachment.update(moved);
+  EXPECT_GT(attachment.energy(moved), 100 * at_rest);
+  EXPECT_GT(attachment.largest_distance(moved), .3);
+}
+
+// --- A whole run -------------------------------------------------------------------------------------
+
+// Calls test with valid states of the mesh whose vertices were moved at random, those of the boundary a little in every
+// second one
+template <class Test>
+void for_scrambled(const Mesh_family& family, const Test& test)
+{
+  std::mt19937 random(8);
+  int valid = 0;
+  for (int trial = 0; trial < 100 && valid < 4; ++trial) {
+    SCOPED_TRACE(trial);
+    Setting s(family());
+    const double amplitude = .3 / (1 + .1 * trial);
+    s.scramble(random, amplitude, false);
+    if (trial % 2)
+      s.scramble(random, .2 * amplitude, true);
+    if (Mesh_quality(s.complex, s.points).invalid > 0)
+      continue;
+    ++valid;
+    test(s);
+  }
+  EXPECT_EQ(valid, 4);
+}
+
+TEST_P(Maximization, keeps_a_valid_mesh_valid_and_its_minimum)
+{
+  for_scrambled(GetParam(), [](Setting& s) {
+    const Mesh_quality before(s.complex, s.points);
+    Run_control control;
+    s.run(control);
+    const Mesh_quality after(s.complex, s.points);
+    EXPECT_EQ(after.invalid, 0u);
+    EXPECT_GE(after.minimum, before.minimum);
+    EXPECT_GT(after.average, before.average);
+    EXPECT_GT(control.iterations, 0u);
+    EXPECT_LE(control.iterations, s.parameters.iterations);
+  });
+}
+
+TEST_P(Maximization, leaves_fixed_vertices_alone)
+{
+  for_scrambled(GetParam(), [](Setting& s) {
+    for (std::size_t v = 0; v < s.points.size(); v += 3)
+      s.fix(v);
+    const Positions given = s.points;
+    const Mesh_quality before(s.complex, given);
+    Run_control control;
+    s.run(control);
+    for (std::size_t v = 0; v < given.size(); ++v)
+      if (s.is_fixed[v]) {
+        EXPECT_EQ(s.points[v], given[v]) << v;
+      }
+    EXPECT_NE(s.points, given);
+    const Mesh_quality after(s.complex, s.points);
+    EXPECT_EQ(after.invalid, 0u);
+    EXPECT_GE(after.minimum, before.minimum);
+  });
+}
+
+TEST_P(Maximization, leaves_a_fixed_boundary_alone)
+{
+  for_scrambled(GetParam(), [](Setting& s) {
+    for (std::size_t v = 0; v < s.points.size(); ++v)
+      if (s.complex.is_on_boundary[v])
+        s.fix(v);
+    const Positions given = s.points;
+    Run_control control;
+    s.run(control);
+    for (std::size_t v = 0; v < given.size(); ++v)
+      if (s.complex.is_on_boundary[v]) {
+        EXPECT_EQ(s.points[v], given[v]) << v;
+      }
+    EXPECT_EQ(Mesh_quality(s.complex, s.points).invalid, 0u);
+    EXPECT_GE(Mesh_quality(s.complex, s.points).minimum, Mesh_quality(s.complex, given).minimum);
+  });
+}
+
+// It is no untangling
+TEST_P(Maximization, does_nothing_to_a_mesh_with_an_inverted_corner)
+{
+  Setting s(GetParam()());
+  const Hexahedron& h = s.complex.hexahedra[s.complex.hexahedra.size() / 2];
+  std::swap(s.points[h[0]], s.points[h[6]]);
+  ASSERT_GT(Mesh_quality(s.complex, s.points).inverted, 0u);
+  const Positions given = s.points;
+  Run_control control;
+  s.run(control);
+  EXPECT_EQ(s.points, given);
+  EXPECT_EQ(control.iterations, 0u);
+}
+
+// The energy reported is finite and the state left is one that was met, whenever the run is stopped
+TEST_P(Maximization, leaves_a_valid_mesh_when_it_is_stopped)
+{
+  for_scrambled(GetParam(), [](Setting& s) {
+    const Positions given = s.points;
+    for (std::size_t last : {1, 2, 5, 20}) {
+      s.points = given;
+      std::size_t seen = 0;
+      Run_control control(std::numeric_limits<double>::infinity(), [&](const HMO::Iteration& iteration) {
+        EXPECT_TRUE(std::isfinite(iteration.energy));
+        EXPECT_EQ(iteration.number_of_inverted, 0u);
+        return ++seen < last;
+      });
+      s.run(control);
+      EXPECT_LE(seen, last);
+      EXPECT_EQ(Mesh_quality(s.complex, s.points).invalid, 0u);
+    }
+  });
+}
+
+} // namespace
