@@ -311,9 +311,12 @@ private:
   void finish(Status& status)
   {
     status.after = quality_statistics(result_, complex_.hexahedra);
-    if (is_worse(status.after, status.before)) {
+    status.deviation = measured_deviation(result_);
+    status.deviation_bound = parameters_.maximum_deviation;
+    if (is_worse(status.after, status.before) || leaves_bound(status)) {
       result_ = given_;
       status.after = status.before;
+      status.deviation = measured_deviation(result_);
     }
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
       if (hexahedron_validity(hexahedron_coordinates(result_, complex_.hexahedra[h])) != Validity::VALID) {
@@ -324,14 +327,6 @@ private:
     for (const Connectivity_limit& limit : connectivity_limits(complex_, *attachment_))
       if (scaled_jacobian(hexahedron_coordinates(result_, complex_.hexahedra[limit.hexahedron])) <= limit.largest_scaled_jacobian)
         status.connectivity_limits.push_back(limit);
-    Positions normalized;
-    normalized.reserve(result_.size());
-    for (const Vector_3& p : result_)
-      normalized.push_back((p - center_) / unit_);
-    status.deviation = deviation(complex_, normalized, *surface_, parameters_.measuring_spacing);
-    status.deviation.average *= unit_;
-    status.deviation.maximum *= unit_;
-    status.deviation_bound = parameters_.maximum_deviation;
     status.iterations = control_.iterations;
     if (control_.is_stopped())
       status.return_code = control_.return_code();
@@ -342,6 +337,25 @@ private:
     else
       status.return_code = Return_code::CONVERGED;
     status.total_seconds = control_.seconds();
+  }
+
+  Deviation measured_deviation(const Positions& points) const
+  {
+    Positions normalized;
+    normalized.reserve(points.size());
+    for (const Vector_3& p : points)
+      normalized.push_back((p - center_) / unit_);
+    Deviation result = deviation(complex_, normalized, *surface_, parameters_.measuring_spacing);
+    result.average *= unit_;
+    result.maximum *= unit_;
+    return result;
+  }
+
+  // Whether a bound that the input obeyed is exceeded without the gain of validity.
+  bool leaves_bound(const Status& status) const
+  {
+    return !status.is_within_deviation_bound() && status.before.number_of_invalid <= status.after.number_of_invalid &&
+           measured_deviation(given_).maximum <= parameters_.maximum_deviation;
   }
 
   // Whether a corner is inverted whose vertices are all fixed.

@@ -76,10 +76,12 @@ struct Maximization_parameters
 
   // --- Second phase: the attachment tightens, the worst corners are held ---
   // Held is this part of the minimum reached, but no more than the limit or, if that is higher, than the gap below
-  // the floor_fraction of the hexahedra: a higher minimum than that is not worth the deviation.
+  // the floor_fraction of the hexahedra: a higher minimum than that is not worth the deviation. The gap is no more
+  // than a multiple of what those lack of 1: nearly perfect meshes stay so.
   double hold = .986;
   double hold_limit = .7;
   double hold_gap = .115;
+  double relative_hold_gap = 1.5;
   // The penalty acts from this far above what is held.
   double hold_margin = .04;
   // Bound of the multipliers, against hexahedra that cannot be held at all.

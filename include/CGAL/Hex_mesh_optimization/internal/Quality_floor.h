@@ -42,11 +42,12 @@ public:
   }
 
   // A floor at what has to be kept. Corners that stay below have their own floors lifted until they do not: the multipliers
-  // of an augmented Lagrangian, over the weight of the floor.
-  void hold(const Mesh_quality& quality, const Positions& points)
+  // of an augmented Lagrangian, over the weight of the floor. No less is kept than `least`.
+  void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    held_ = parameters_.hold * (std::min)(highest_, (std::max)(parameters_.hold_limit, quantile(quality) - parameters_.hold_gap));
+    const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
+    held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, (std::max)(parameters_.hold_limit, q - gap)));
     for (std::size_t h = 0; h < floors_.size(); ++h) {
       const auto corners = hexahedron_corners(points, complex_.hexahedra[h]);
       for (int c = 0; c < 8; ++c) {

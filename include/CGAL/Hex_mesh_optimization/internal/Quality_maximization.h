@@ -55,9 +55,9 @@ public:
   void run(Positions& points, Run_control& control, double target_quality)
   {
     Mesh_quality quality(complex_, points);
-    if (quality.inverted > 0)
+    if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
       return;
-    Best best{points, quality.invalid, quality.minimum, 0, 0};
+    Best best{points, quality.invalid, quality.minimum, 0, 0, quality.invalid == 0 ? quality.minimum : -1};
     Progress climb(quality, parameters_.climbing_gain, parameters_.least_gain_of_average);
     Progress settling = climb;
     bool tightens = false;
@@ -72,7 +72,7 @@ public:
       if (!tightens)
         floor_.rise(quality);
       else {
-        floor_.hold(quality, points);
+        floor_.hold(quality, points, (std::max)(best.least_minimum, 0.0));
         // it waits for corners that fell behind, but not for ever
         if (quality.minimum >= parameters_.ready * floor_.held() || ++waited > parameters_.waiting_patience) {
           attachment_.tightness = (std::min)(1.0, attachment_.tightness * parameters_.tightening);
@@ -110,10 +110,14 @@ private:
     Positions points;
     std::size_t invalid;
     double minimum, tightness, excess;
+    double least_minimum; // of a valid mesh that came in, -1 for one that was not valid
 
     void offer(const Positions& candidate, const Mesh_quality& quality, double tight, double more, double accepted_loss)
     {
-      if (quality.invalid > invalid)
+      if (quality.invalid > invalid || quality.minimum < least_minimum)
+        return;
+      // what was valid is left as it was rather than far from the surface
+      if (tight < 1 && least_minimum >= 0)
         return;
       if (quality.invalid == invalid && tight == tightness && more > excess)
         return;
