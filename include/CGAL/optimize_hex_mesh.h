@@ -90,11 +90,16 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
   const Positions before = engine_positions(points);
   Hex_mesh_optimizer optimizer(before, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys),
                                optimization_parameters(np, keys));
-  const Status status = optimizer.run();
+  Status status = optimizer.run();
   const Positions& after = optimizer.positions();
+  // points may allocate memory: all of them are made before the first is assigned
+  using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
+  std::vector<std::pair<std::size_t, Point>> moved;
   for (std::size_t v = 0; v < after.size(); ++v)
     if (before[v] != after[v])
-      point(v) = typename std::iterator_traits<decltype(std::begin(points))>::value_type(after[v][0], after[v][1], after[v][2]);
+      moved.emplace_back(v, Point(after[v][0], after[v][1], after[v][2]));
+  for (auto& [v, p] : moved)
+    point(v) = std::move(p);
   return status;
 }
 

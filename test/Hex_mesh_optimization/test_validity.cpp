@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "hexahedron_rotations.h"
+#include "mesh_families.h"
 
 #include <gtest/gtest.h>
 
@@ -218,6 +219,71 @@ TEST(Validity, agrees_with_dense_samples)
   EXPECT_GT(invalid, 300);
 }
 
+// The smallest of the values on a lattice, exactly, has a sign of -1, 0 or 1.
+static int sign_of_smallest_jacobian(const internal::Hexahedron_coordinates& h, int n)
+{
+  using NT = internal::Exact_number;
+  std::array<internal::Coordinates<NT>, 8> x;
+  for (int i = 0; i < 8; ++i)
+    x[i] = {{NT(h[i][0]), NT(h[i][1]), NT(h[i][2])}};
+  int result = 1;
+  for (int u = 0; u <= n && result >= 0; ++u)
+    for (int v = 0; v <= n; ++v)
+      for (int w = 0; w <= n; ++w)
+      {
+        const NT value = jacobian<NT>(x, {{NT(u), NT(v), NT(w)}}, NT(n));
+        result = (std::min)(result, CGAL::is_positive(value) ? 1 : CGAL::is_zero(value) ? 0 : -1);
+      }
+  return result;
+}
+
+// The kinds of hexahedra of families(), but with coordinates that are no integers and of any magnitude.
+static internal::Hexahedron_coordinates random_doubles(std::mt19937& generator, int n)
+{
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double noise = .1 + .1 * (n % 8), thin = n / 8 % 4 == 1 ? std::ldexp(1., -(n % 50)) : 1;
+  const double angle = n / 8 % 4 == 2 ? 1.7 * uniform(generator) : 0;
+  const double unit = n % 5 == 0 ? 1e150 : n % 5 == 1 ? 1e-150 : 1;
+  internal::Hexahedron_coordinates x;
+  for (int i = 0; i < 8; ++i)
+  {
+    double p[3];
+    for (int d = 0; d < 3; ++d)
+      p[d] = unit_corners[i][d] - .5 + .5 * noise * uniform(generator);
+    p[2] *= thin;
+    const double a = p[0] > 0 ? angle : 0; // one side turned against the other
+    x[i] = {{unit * p[0], unit * (std::cos(a) * p[1] - std::sin(a) * p[2]), unit * (std::sin(a) * p[1] + std::cos(a) * p[2])}};
+  }
+  if (n / 8 % 4 == 3)
+    x[n % 8] = x[(n + 1) % 8];
+  return x;
+}
+
+TEST(Validity, agrees_with_exact_samples_of_any_doubles)
+{
+  std::mt19937 generator(9);
+  int valid = 0, invalid = 0;
+  for (int n = 0; n < 480; ++n)
+  {
+    const internal::Hexahedron_coordinates x = random_doubles(generator, n);
+    const Validity validity = internal::hexahedron_validity(x);
+    ASSERT_NE(validity, Validity::UNDECIDED) << n;
+    if (validity == Validity::VALID)
+    {
+      ++valid;
+      EXPECT_EQ(sign_of_smallest_jacobian(x, 5), 1) << n;
+      EXPECT_EQ(sign_of_smallest_jacobian(x, 8), 1) << n;
+    }
+    else
+    {
+      ++invalid;
+      EXPECT_TRUE(sign_of_smallest_jacobian(x, 4) <= 0 || sign_of_smallest_jacobian(x, 16) <= 0) << n;
+    }
+  }
+  EXPECT_GE(valid, 100);
+  EXPECT_GE(invalid, 100);
+}
+
 TEST(Validity, finds_hexahedra_invalid_between_positive_corners)
 {
   std::mt19937 generator(3);
@@ -273,6 +339,40 @@ TEST(Validity, where_the_determinant_touches_zero)
   // negative in between
   EXPECT_EQ(HMO::hexahedron_validity(with_roots(-2, -1.99)), Validity::INVALID);
   EXPECT_EQ(HMO::hexahedron_validity(with_roots(std::nextafter(-1., 0), -1)), Validity::INVALID);
+}
+
+TEST(Validity, is_undecided_at_any_limit_on_the_subdivision)
+{
+  for (int depth : {-1, 0, 1, 50, 100, 1000, std::numeric_limits<int>::max()})
+    EXPECT_EQ(HMO::hexahedron_validity(with_roots(-2, -2), depth), Validity::UNDECIDED) << depth;
+}
+
+// No generated mesh, tangled in any way, needs half the subdivision that is allowed.
+TEST(Validity, of_generated_meshes_is_decided_soon)
+{
+  std::size_t valid = 0, invalid = 0, subdivided = 0;
+  for (const Mesh_family& family : mesh_families())
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+    {
+      Indexed_mesh mesh = family();
+      if (seed % 4 == 1)
+        HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .05 * double(seed));
+      if (seed % 4 == 2)
+        HMO::rotate_hexahedra(mesh.points, mesh.hexahedra, seed, .3);
+      if (seed % 4 == 3)
+        HMO::jitter_boundary(mesh.points, mesh.hexahedra, seed, .4);
+      for (const auto& hexahedron : mesh.hexahedra)
+      {
+        const internal::Hexahedron_coordinates x = internal::hexahedron_coordinates(mesh.points, hexahedron);
+        const Validity validity = internal::hexahedron_validity(x, internal::default_maximum_depth / 2);
+        EXPECT_NE(validity, Validity::UNDECIDED);
+        ++(validity == Validity::VALID ? valid : invalid);
+        subdivided += internal::hexahedron_validity(x, 0) == Validity::UNDECIDED;
+      }
+    }
+  EXPECT_GT(valid, 5000u);
+  EXPECT_GT(invalid, 1000u);
+  EXPECT_GT(subdivided, 0u);
 }
 
 TEST(Validity, decides_what_rounding_hides)

@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -38,6 +39,10 @@ enum class Validity
 namespace internal {
 
 constexpr int default_maximum_depth = 20;
+
+// Bounds the recursion, and the digits that exact numbers grow by in each depth. A cell of this size is
+// far below the distance of any two doubles in the parameter space.
+constexpr int largest_maximum_depth = 100;
 
 // Bounds the time spent on a determinant that vanishes on a whole surface, where
 // the number of cells grows by a factor of four from each depth to the next.
@@ -143,7 +148,7 @@ class Subdivision
 public:
   Subdivision(const Sign& sign, int maximum_depth)
     : sign_(sign)
-    , maximum_depth_(maximum_depth)
+    , maximum_depth_((std::min)(maximum_depth, largest_maximum_depth))
   {}
 
   // No answer: numbers of this type are not precise enough.
@@ -183,7 +188,10 @@ private:
     }
     ++number_of_splits_;
 
-    const std::array<Bezier_coefficients<NT>, 8> cells = split(coefficients);
+    // 216 exact numbers for each depth are too many for the stack of a thread
+    const std::unique_ptr<const std::array<Bezier_coefficients<NT>, 8>> halves(
+      new std::array<Bezier_coefficients<NT>, 8>(split(coefficients)));
+    const std::array<Bezier_coefficients<NT>, 8>& cells = *halves;
     std::array<std::pair<double, int>, 8> open;
     auto end = open.begin();
     for (int cell = 0; cell < 8; ++cell)
@@ -399,7 +407,8 @@ inline Validity hexahedron_validity(const Hexahedron_coordinates& x, int maximum
  *
  * \param p0,p1,p2,p3,p4,p5,p6,p7 the corners: `p0` to `p3` around the bottom, counter-clockwise when seen from inside
  *        the hexahedron, and `p4` to `p7` above them
- * \param maximum_depth how often the cube is halved, in all directions, at the most; the total number of cells is bounded as well
+ * \param maximum_depth how often the cube is halved, in all directions, at the most, and not more than 100 times; the total
+ *        number of cells is bounded as well
  *
  * The compiler must follow IEEE 754: no option `-ffast-math`.
  */
