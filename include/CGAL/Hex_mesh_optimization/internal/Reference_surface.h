@@ -77,6 +77,7 @@ class Feature_curve
 public:
   Feature_curve(std::vector<int> reference_vertices, const Positions& points)
     : vertices(std::move(reference_vertices))
+    , place_(points[vertices.front()])
   {
     std::vector<Vector_3> directions;
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
@@ -103,8 +104,11 @@ public:
 
   bool is_closed() const { return vertices.front() == vertices.back(); }
 
+  // A curve that is shrunk to a point has no direction.
   Curve_point closest_point(const Vector_3& query) const
   {
+    if (segments_.empty())
+      return {place_, Vector_3::Zero()};
     const auto found = tree_.closest_point_and_primitive(aabb::point(query));
     const Vector_3 a = aabb::vector(found.second->source()), b = aabb::vector(found.second->target());
     const Vector_3 p = aabb::vector(found.first);
@@ -118,7 +122,8 @@ public:
   double length = 0;
 
 private:
-  std::vector<aabb::Kernel::Segment_3> segments_;
+  Vector_3 place_; // of its first vertex
+  std::vector<aabb::Kernel::Segment_3> segments_; // without those of no length
   std::vector<std::array<Vector_3, 2>> tangents_; // at both ends of each
   CGAL::AABB_tree<aabb::Segment_traits> tree_;
 };
