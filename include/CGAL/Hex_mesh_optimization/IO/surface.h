@@ -8,7 +8,10 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Off_reader.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Ply_reader.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Text_scanner.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/triangulated_polygon.h>
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtk.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtu.h>
@@ -17,8 +20,6 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -35,23 +36,29 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
+inline Mesh_file_content read_content(const std::string& filename, const std::string& extension)
+{
+  if(extension == "off") return Off_reader(filename).read();
+  if(extension == "ply") return Ply_reader(filename).read();
+  if(extension == "mesh") return Medit_reader(filename, Wanted_cells::POLYGONS).read();
+  if(extension == "vtk") return Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read();
+  if(extension == "vtu") return Vtu_reader(filename, Wanted_cells::POLYGONS).read();
+  throw Hex_mesh_file_error(filename, 0,
+                            "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
+}
+
 template <class Point>
 void read_polygons(const std::string& filename, std::vector<Point>& points,
                    std::vector<std::vector<std::size_t>>& polygons)
 {
   const std::string extension = extension_of(filename);
-  if(extension == "mesh" || extension == "vtk" || extension == "vtu")
+  if(extension != "obj" && extension != "stl")
   {
-    Mesh_file_content content = extension == "mesh" ? Medit_reader(filename, Wanted_cells::POLYGONS).read()
-                              : extension == "vtk" ? Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read()
-                                                   : Vtu_reader(filename, Wanted_cells::POLYGONS).read();
+    Mesh_file_content content = read_content(filename, extension);
     copy_points(content.points, points);
     polygons = std::move(content.polygons);
     return;
   }
-  if(extension != "off" && extension != "obj" && extension != "stl" && extension != "ply")
-    throw Hex_mesh_file_error(filename, 0,
-                              "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
   if(!std::ifstream(filename))
     throw Hex_mesh_file_error(filename, 0, "cannot open the file for reading");
   bool success = false;
@@ -124,13 +131,12 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
   if(polygons.empty())
     throw Hex_mesh_file_error(filename, 0, "the surface has no polygons");
 
+  polygons = internal::triangulated(points, std::move(polygons));
   PMP::orient_polygon_soup(points, polygons);
   if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
     throw Hex_mesh_file_error(filename, 0, "the polygons do not form a surface");
   TriangleMesh result;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, result);
-  if(!PMP::triangulate_faces(result) || !CGAL::is_triangle_mesh(result))
-    throw Hex_mesh_file_error(filename, 0, "the polygons cannot be triangulated");
   tmesh = std::move(result);
 }
 
