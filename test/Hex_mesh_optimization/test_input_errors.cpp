@@ -9,9 +9,11 @@
 
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -337,8 +339,12 @@ TEST(Input_errors, of_a_volume_that_is_not_a_hexahedron)
 
 // --- Unusual, but handled -------------------------------------------------------------------
 
-void expect_honest(const Mesh& before, const Mesh& after, const HMO::Status& status)
+void expect_honest(Mesh before, Mesh after, const HMO::Status& status)
 {
+  if (status.orientation_reversed) // the statistics refer to the numbering with top and bottom exchanged
+    for (Mesh* mesh : {&before, &after})
+      for (auto& cell : mesh->cells)
+        std::swap_ranges(cell.begin(), cell.begin() + 4, cell.begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.cells);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.cells);
   EXPECT_EQ(status.before.number_of_inverted, a.number_of_inverted);
@@ -464,15 +470,235 @@ TEST(Unusual_input, with_coincident_vertices)
   EXPECT_TRUE(optimized(mesh).valid_mesh());
 }
 
-TEST(Unusual_input, with_a_reference_far_away)
+// Names both of the two, the second as the one that is too much
+TEST(Unusual_input, of_a_hexahedron_that_occurs_twice)
+{
+  Mesh mesh = block(2, 1, 1);
+  mesh.cells.push_back(mesh.cells[0]);
+  expect_refused(mesh, Element::HEXAHEDRON, 2, "third");
+  mesh = block(1, 1, 1);
+  mesh.cells.push_back(mesh.cells[0]);
+  EXPECT_THROW(optimized(mesh), HMO::Input_error); // the faces of both coincide, and none is a boundary
+}
+
+// A hexahedron and its mirror image share all six faces
+TEST(Input_errors, of_a_mesh_without_a_boundary)
+{
+  Mesh mesh = block(1, 1, 1);
+  const std::vector<int> c = mesh.cells[0];
+  mesh.cells.push_back({c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]});
+  expect_refused(mesh, Element::MESH, 0, "no boundary");
+}
+
+TEST(Unusual_input, of_1e150_and_1e_minus_150)
+{
+  for (double scale : {1e-150, 1e150}) {
+    SCOPED_TRACE(scale);
+    Mesh mesh = block(3, 3, 3);
+    for (Point& p : mesh.points)
+      p = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    const Mesh before = mesh;
+    Surface_mesh surface = cube(3);
+    for (const auto v : surface.vertices()) {
+      const Point& p = surface.point(v);
+      surface.point(v) = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    }
+    EXPECT_TRUE(optimized(mesh).valid_mesh());
+    mesh = before;
+    const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface);
+    expect_honest(before, mesh, status);
+    EXPECT_TRUE(status.valid_mesh());
+  }
+}
+
+// A vertex of another magnitude than all others
+TEST(Unusual_input, with_one_coordinate_of_1e150)
+{
+  for (double far : {1e150, -1e150, 1e300}) {
+    SCOPED_TRACE(far);
+    Mesh mesh = block(3, 3, 3, false);
+    for (Point& p : mesh.points)
+      if (p == Point(1, 1, 1))
+        p = Point(1, far, 1);
+    const HMO::Status status = optimized(mesh); // an interior vertex
+    EXPECT_FALSE(status.orientation_reversed);
+    EXPECT_GT(status.before.number_of_invalid, 0u);
+    EXPECT_LT(status.before.number_of_invalid, 27u);
+    EXPECT_TRUE(status.valid_mesh() || std::abs(far) > 1e150); // whose square is no number any more
+    mesh = block(3, 3, 3, false);
+    mesh.points[0] = Point(far, 0, 0); // a corner
+    const Points before = mesh.points;
+    try {
+      optimized(mesh);
+    }
+    catch (const HMO::Input_error&) {
+      EXPECT_EQ(mesh.points, before);
+    }
+  }
+}
+
+// --- Unusual references ----------------------------------------------------------------------
+
+// The tangled block of three cubes a side with this reference
+template <class NamedParameters = params::Default_named_parameters>
+HMO::Status optimized(const Surface_mesh& surface, const NamedParameters& np = params::default_values())
 {
   Mesh mesh = block(3, 3, 3);
   const Mesh before = mesh;
-  Surface_mesh surface = cube(3);
-  for (const auto v : surface.vertices())
-    surface.point(v) = surface.point(v) + Indexed_mesh::Kernel::Vector_3(100, 0, 0);
-  const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface);
+  const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface, np);
   expect_honest(before, mesh, status);
+  return status;
+}
+
+Surface_mesh surface_of_soup(const Points& points, const std::vector<std::array<int, 3>>& triangles)
+{
+  Surface_mesh surface;
+  for (const auto& t : triangles) // every face apart
+    surface.add_face(surface.add_vertex(points[t[0]]), surface.add_vertex(points[t[1]]), surface.add_vertex(points[t[2]]));
+  return surface;
+}
+
+// The faces of a surface, those aside whose index is among `without`, as triangles of a soup
+std::vector<std::array<int, 3>> triangles_of(const Surface_mesh& surface, std::size_t without)
+{
+  std::vector<std::array<int, 3>> result;
+  for (const auto f : surface.faces()) {
+    std::array<int, 3> t;
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      t[k++] = int(v);
+    if (std::size_t(f) >= without)
+      result.push_back(t);
+  }
+  return result;
+}
+
+Points points_of(const Surface_mesh& surface)
+{
+  Points result;
+  for (const auto v : surface.vertices())
+    result.push_back(surface.point(v));
+  return result;
+}
+
+TEST(Unusual_reference, that_is_open)
+{
+  Surface_mesh surface = cube(3);
+  for (std::size_t f : {0, 1, 5})
+    CGAL::Euler::remove_face(surface.halfedge(Surface_mesh::Face_index(Surface_mesh::size_type(f))), surface);
+  surface.collect_garbage();
+  EXPECT_EQ(num_faces(surface), 9u);
+  EXPECT_TRUE(optimized(surface).valid_mesh());
+}
+
+TEST(Unusual_reference, of_one_triangle)
+{
+  optimized(surface_of_soup({Point(0, 0, 0), Point(3, 0, 0), Point(0, 3, 0)}, {{{0, 1, 2}}}));
+}
+
+// As a soup of triangles: every edge is a border
+TEST(Unusual_reference, that_is_not_connected)
+{
+  const Surface_mesh closed = cube(3);
+  EXPECT_TRUE(optimized(surface_of_soup(points_of(closed), triangles_of(closed, 0))).valid_mesh());
+}
+
+// Three sheets at every edge: the cube twice and a half, one upon the other
+TEST(Unusual_reference, that_is_not_a_manifold)
+{
+  const Surface_mesh closed = cube(3);
+  std::vector<std::array<int, 3>> triangles = triangles_of(closed, 0);
+  for (std::size_t without : {0, 6})
+    for (const auto& t : triangles_of(closed, without))
+      triangles.push_back({{t[0], t[2], t[1]}}); // and the orientations do not agree
+  EXPECT_TRUE(optimized(surface_of_soup(points_of(closed), triangles)).valid_mesh());
+}
+
+TEST(Unusual_reference, that_intersects_itself)
+{
+  Surface_mesh surface = cube(3), other = cube(3);
+  for (const auto v : other.vertices())
+    other.point(v) = other.point(v) + Indexed_mesh::Kernel::Vector_3(1.5, 1.2, .9);
+  surface.join(other);
+  EXPECT_GT(num_faces(surface), 12u);
+  optimized(surface);
+}
+
+TEST(Unusual_reference, of_another_scale)
+{
+  for (double scale : {1e-100, 1e-3, 5., 1e3, 1e100}) {
+    SCOPED_TRACE(scale);
+    Surface_mesh surface = cube(3);
+    for (const auto v : surface.vertices()) {
+      const Point& p = surface.point(v);
+      surface.point(v) = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    }
+    try {
+      optimized(surface, params::optimization_method(HMO::Method::RECTIFICATION).number_of_iterations(5).number_of_restarts(0));
+      EXPECT_GT(scale, 1e-50);
+    }
+    catch (const HMO::Input_error& error) { // nothing is left of it in the units of the mesh
+      EXPECT_NE(error.message().find("the reference surface has no face with an area"), std::string::npos) << error.message();
+      EXPECT_LT(scale, 1e-50);
+    }
+  }
+}
+
+TEST(Unusual_reference, that_is_far_away)
+{
+  for (double distance : {1e3, 1e9, 1e150}) {
+    SCOPED_TRACE(distance);
+    Surface_mesh surface = cube(3);
+    for (const auto v : surface.vertices())
+      surface.point(v) = surface.point(v) + Indexed_mesh::Kernel::Vector_3(distance, 0, 0);
+    try {
+      optimized(surface);
+    }
+    catch (const HMO::Input_error& error) { // at 1e150 all its points coincide
+      EXPECT_NE(error.message().find("area"), std::string::npos) << error.message();
+      EXPECT_GT(distance, 1e100);
+    }
+  }
+}
+
+// Needles, caps, and triangles shrunk to a point or an edge among good ones
+TEST(Unusual_reference, with_many_degenerate_triangles)
+{
+  const Surface_mesh closed = cube(3);
+  Points points = points_of(closed);
+  std::vector<std::array<int, 3>> triangles = triangles_of(closed, 0);
+  const std::size_t n = triangles.size();
+  for (std::size_t t = 0; t < n; ++t) {
+    const std::array<int, 3> good = triangles[t];
+    const Point &a = points[good[0]], &b = points[good[1]];
+    const int middle = int(points.size());
+    points.push_back(CGAL::midpoint(a, b));
+    points.push_back(a + 1e-14 * (b - a));
+    triangles.push_back({{good[0], middle, good[1]}});
+    triangles.push_back({{good[0], middle + 1, good[2]}});
+    triangles.push_back({{good[0], good[0], good[0]}});
+    triangles.push_back({{good[0], good[1], good[0]}});
+  }
+  Surface_mesh surface;
+  for (const auto& t : triangles) {
+    std::array<Surface_mesh::Vertex_index, 3> v;
+    for (int k = 0; k < 3; ++k)
+      v[k] = surface.add_vertex(points[t[k]]);
+    surface.add_face(v[0], v[1], v[2]);
+  }
+  EXPECT_TRUE(optimized(surface).valid_mesh());
+}
+
+TEST(Unusual_reference, of_coordinates_that_are_huge)
+{
+  Surface_mesh surface = cube(3);
+  surface.point(Surface_mesh::Vertex_index(3)) = Point(1e200, 1e200, -1e200);
+  try {
+    optimized(surface);
+  }
+  catch (const HMO::Input_error& error) {
+    EXPECT_NE(error.message().find("reference"), std::string::npos) << error.message();
+  }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 // What optimize_hex_mesh() guarantees for every input, over many generated ones: small meshes of all shapes, intact or
 // damaged in any way, repairable or not, with all options that constrain the result. The measures are those of the
 // public quality and validity functions on the mesh that is handed back, not those of the status.
+// The environment variable NEVER_WORSE_CASES says how many inputs are generated for each shape and damage.
 
 #include <CGAL/optimize_hex_mesh.h>
 
@@ -13,10 +14,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <iterator>
 #include <limits>
@@ -188,15 +191,12 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
     for (std::size_t v = seed % 7; v < is_frozen.size(); v += 7)
       is_frozen[v] = true;
   const double length = input.mean_edge_length(), bound = options.maximum_deviation * length;
-  if (!(bound > 0))
-    return;
   const auto np = params::optimization_method(options.method)
                     .fixed_boundary(options.fixed_boundary)
                     .vertex_is_constrained_map(Constrained{&is_frozen})
                     .maximum_deviation(bound)
                     .number_of_iterations(options.iterations);
   Surface_mesh surface;
-  Status status;
   if (options.has_reference) {
     using Vertex = Surface_mesh::Vertex_index;
     for_boundary(intact, [&](const Point& p) { return surface.add_vertex(p); },
@@ -206,15 +206,7 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
     return options.has_reference ? CGAL::optimize_hex_mesh(m.points, m.hexahedra, surface, np)
                                  : CGAL::optimize_hex_mesh(m.points, m.hexahedra, np);
   };
-  try {
-    status = optimize(mesh);
-  }
-  catch (const HMO::Input_error& error) {
-    // only what has no surface at all
-    EXPECT_STREQ(damage.name, "flat") << error.message();
-    EXPECT_EQ(mesh.points, input.points);
-    return;
-  }
+  const Status status = optimize(mesh);
   ++tally.cases;
 
   // a mesh that is inside out as a whole is measured with top and bottom exchanged
@@ -279,7 +271,9 @@ TEST_P(Never_worse, whatever_the_options)
   const Indexed_mesh intact = std::get<0>(GetParam())();
   const Damage damage = std::get<1>(GetParam());
   Tally tally;
-  const std::uint64_t number_of_cases = 10;
+  const char* const given = std::getenv("NEVER_WORSE_CASES");
+  const std::uint64_t number_of_cases = given ? std::strtoull(given, nullptr, 10) : 10;
+  ASSERT_GT(number_of_cases, 0u);
   for (std::uint64_t seed = 0; seed < number_of_cases; ++seed) {
     const Options options(seed, case_name({GetParam(), 0}));
     std::ostringstream description;
@@ -287,7 +281,9 @@ TEST_P(Never_worse, whatever_the_options)
     SCOPED_TRACE(description.str());
     expect_guarantees(intact, damage, seed, options, tally);
   }
-  EXPECT_TRUE(tally.cases == int(number_of_cases) || std::string(damage.name) == "flat");
+  if (std::string(damage.name) == "intact") {
+    EXPECT_EQ(tally.valid_before, tally.cases) << "the guarantee for valid meshes is tested";
+  }
   RecordProperty("cases", tally.cases);
   RecordProperty("valid_before", tally.valid_before);
   RecordProperty("valid_after", tally.valid_after);

@@ -92,7 +92,7 @@ public:
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
     , given_(std::move(points))
-    , complex_(given_.size(), checked(given_, hexahedra, reversed_))
+    , complex_(oriented(given_, std::move(hexahedra), reversed_))
     , is_frozen_(std::move(is_frozen))
   {
     if (reference)
@@ -162,7 +162,7 @@ private:
       .run(points, control_, parameters_.target_quality);
   }
 
-  static const std::vector<Hexahedron>& checked(const Positions& points, std::vector<Hexahedron>& hexahedra, bool& reversed)
+  static void check(const Positions& points, const std::vector<Hexahedron>& hexahedra)
   {
     using Element = Input_error::Element;
     if (hexahedra.empty())
@@ -182,31 +182,39 @@ private:
             throw Input_error(Element::HEXAHEDRON, h, "hexahedron " + std::to_string(h) + " has vertex " +
                                                         std::to_string(hexahedra[h][i]) + " at two corners");
       }
-    reversed = enclosed_volume(points, hexahedra) < 0;
-    if (reversed)
-      for (Hexahedron& h : hexahedra)
-        for (int i = 0; i < 4; ++i)
-          std::swap(h[i], h[i + 4]);
-    return hexahedra;
   }
 
-  // Six times the volume within the boundary: the faces between hexahedra cancel, so that a tangled interior does not
-  // matter. Negative when the hexahedra are numbered inside out.
-  static double enclosed_volume(const Positions& points, const std::vector<Hexahedron>& hexahedra)
+  // Bottom and top are exchanged if the hexahedra are numbered inside out.
+  static Hexahedral_complex oriented(const Positions& points, std::vector<Hexahedron> hexahedra, bool& reversed)
   {
-    const Vector_3 origin = points[hexahedra[0][0]];
+    check(points, hexahedra);
+    Hexahedral_complex complex(points.size(), std::move(hexahedra));
+    if (complex.boundary_faces.empty())
+      throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
+    reversed = enclosed_volume(points, complex) < 0;
+    if (!reversed)
+      return complex;
+    for (Hexahedron& h : complex.hexahedra)
+      for (int i = 0; i < 4; ++i)
+        std::swap(h[i], h[i + 4]);
+    return Hexahedral_complex(points.size(), std::move(complex.hexahedra));
+  }
+
+  // Six times the volume within the boundary, up to scale: a tangled interior, however far out, does not matter.
+  static double enclosed_volume(const Positions& points, const Hexahedral_complex& complex)
+  {
+    const Vector_3 origin = points[complex.boundary_faces[0].vertices[0]];
     double extent = 0;
-    for (const Hexahedron& h : hexahedra)
-      for (int v : h)
+    for (const auto& f : complex.boundary_faces)
+      for (int v : f.vertices)
         extent = (std::max)(extent, (points[v] - origin).cwiseAbs().maxCoeff());
     double volume = 0;
-    for (const Hexahedron& h : hexahedra)
-      for (const auto& f : hexahedron_faces) {
-        Vector_3 p[4];
-        for (int i = 0; i < 4; ++i)
-          p[i] = (points[h[f[i]]] - origin) / extent;
-        volume += p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3])) + p[1].dot(p[2].cross(p[3])) + p[0].dot(p[1].cross(p[3]));
-      }
+    for (const auto& f : complex.boundary_faces) {
+      Vector_3 p[4];
+      for (int i = 0; i < 4; ++i)
+        p[i] = (points[f.vertices[i]] - origin) / extent;
+      volume += p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3])) + p[1].dot(p[2].cross(p[3])) + p[0].dot(p[1].cross(p[3]));
+    }
     return volume;
   }
 
@@ -217,13 +225,8 @@ private:
       if (!reference.points[v].allFinite())
         throw Input_error(Element::REFERENCE_VERTEX, v,
                           "vertex " + std::to_string(v) + " of the reference surface has a coordinate that is not finite");
-    for (const Triangle_indices& t : reference.triangles) {
-      const Vector_3& a = reference.points[t[0]];
-      if ((reference.points[t[1]] - a).cross(reference.points[t[2]] - a).norm() > 0)
-        return;
-    }
-    throw Input_error(Element::MESH, 0, reference.triangles.empty() ? "the reference surface is empty"
-                                                                    : "the reference surface has no face with an area");
+    if (reference.triangles.empty())
+      throw Input_error(Element::MESH, 0, "the reference surface is empty");
   }
 
   // The boundary terms have units of length², so that all weights presuppose a unit: the mean boundary edge.
@@ -253,7 +256,9 @@ private:
     else
       surface_ = boundary_as_reference(complex_, points_);
     if (surface_->is_empty())
-      throw Input_error(Input_error::Element::MESH, 0, "the boundary of the mesh has no face with an area");
+      throw Input_error(Input_error::Element::MESH, 0,
+                        reference ? "the reference surface has no face with an area that is not lost against the mesh"
+                                  : "the boundary of the mesh has no face with an area");
   }
 
   void build_reference(const Reference_input* reference)
