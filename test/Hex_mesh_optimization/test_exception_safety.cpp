@@ -304,6 +304,7 @@ void expect_unchanged_without_memory(bool with_reference, const NamedParameters&
     },
     [&](std::size_t n) { return n < dense || n + dense + stride > total ? n + 1 : n + stride; });
   EXPECT_GE(interrupted, samples + dense);
+  ::testing::Test::RecordProperty(with_reference ? "failures_with_reference" : "failures", static_cast<int>(interrupted));
 }
 
 TYPED_TEST(Exception_safety, of_an_allocation_that_fails)
