@@ -167,13 +167,11 @@ struct Complex
   }
 };
 
-using Combinatorial_map = CGAL::Linear_cell_complex_for_combinatorial_map<3>;
 using Generalized_map = CGAL::Linear_cell_complex_for_generalized_map<3>;
-using Allocating_map =
+using Combinatorial_map =
   CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Allocating_kernel>>;
 
-using Meshes = ::testing::Types<Ranges<Indexed_mesh::Kernel>, Ranges<Allocating_kernel>, Complex<Combinatorial_map>,
-                                Complex<Generalized_map>, Complex<Allocating_map>>;
+using Meshes = ::testing::Types<Ranges<Allocating_kernel>, Complex<Generalized_map>, Complex<Combinatorial_map>>;
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b)
 {
