@@ -670,7 +670,7 @@ TEST(Unusual_reference, with_many_degenerate_triangles)
   const std::size_t n = triangles.size();
   for (std::size_t t = 0; t < n; ++t) {
     const std::array<int, 3> good = triangles[t];
-    const Point &a = points[good[0]], &b = points[good[1]];
+    const Point a = points[good[0]], b = points[good[1]]; // no references: points grows
     const int middle = int(points.size());
     points.push_back(CGAL::midpoint(a, b));
     points.push_back(a + 1e-14 * (b - a));
