@@ -235,9 +235,9 @@ TYPED_TEST(Exception_safety, of_a_visitor_that_throws_in_any_call)
         [&](TypeParam& mesh, bool reference, std::size_t call) {
           mesh.optimize(reference, params::optimization_method(method).visitor(Thrower{call, &thrown_in}));
         },
-        [](std::size_t call) { return call + 1 + call / 8; });
+        [](std::size_t call) { return call + 1 + call / 3; });
   EXPECT_EQ(thrown_in.size(), 3u) << "every stage was interrupted";
-  EXPECT_GT(interrupted, 60u);
+  EXPECT_GT(interrupted, 30u);
 }
 
 template <class Key, class Value>
