@@ -188,7 +188,18 @@ class Hexahedron_energy
 public:
   using Floor = std::array<double, 8>;    // τ of each corner
 
-  explicit Hexahedron_energy(const Maximization_parameters& parameters) : parameters_(parameters) {}
+  explicit Hexahedron_energy(const Maximization_parameters& parameters)
+    : parameters_(parameters)
+    , shape_weight_(parameters.shape_weight)
+    , poor_shape_weight_(parameters.poor_shape_weight)
+  {}
+
+  // Multiplies both weights of the shape as the parameters gave them.
+  void set_shape_factor(double factor)
+  {
+    parameters_.shape_weight = factor * shape_weight_;
+    parameters_.poor_shape_weight = factor * poor_shape_weight_;
+  }
 
   double value(const Vector_3* x, const Hexahedron_lengths& lengths, const Floor& floor) const
   {
@@ -238,7 +249,8 @@ private:
   static double power_8(double x) { return power_4(x) * power_4(x); }
   static double root_8(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 
-  const Maximization_parameters parameters_;
+  Maximization_parameters parameters_;
+  const double shape_weight_, poor_shape_weight_; // as given
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

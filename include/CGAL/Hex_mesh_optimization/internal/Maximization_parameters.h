@@ -26,34 +26,41 @@ struct Maximization_parameters
   double floor_weight = 1000;
   // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of edge
   // ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it (measured).
-  double shape_weight = .16;
-  double poor_shape_weight = .4;
+  double shape_weight = .11;
+  double poor_shape_weight = .545;
+  // Once the mesh has relaxed, both are multiplied by balance / (offset + 1 − average scaled Jacobian): the nearer the
+  // angles are to perfect, the more there is to gain from shape, and the less it costs.
+  double shape_balance = .0423;
+  double shape_balance_offset = .009;
 
-  // How far estimated target lengths move, on a logarithmic scale, to the lengths reached at the end of the first phase.
-  double length_adaptation = .6;
+  // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of the
+  // first phase. Those of the boundary stay: adapted too, they let single rows of its quads collapse (measured: the
+  // ratios of edges of a hundredth of the hexahedra grow from 8.9 to 11.4).
+  double length_adaptation = .93;
 
   // --- Attachment of the boundary ---
   // Slope of the energy over the distance d, in a mesh whose mean boundary edge is one fiftieth of the diagonal of the
   // reference. In proportion to the edge: what counts is the deviation of the model, not that of one edge.
-  double attachment_weight = 1.15;
+  double attachment_weight = 1.17;
   double typical_edge = .02;
-  double size_exponent = 1.35;
+  double size_exponent = 1.32;
   // Factor for a reference of its own. The boundary of a mesh, taken for its own reference, is as rough as the mesh.
   double trust = 5;
   // Below this the energy is quadratic, above linear: with the square of d the same average deviation buys less quality.
-  double linear_distance = .03;
+  double linear_distance = .027;
   // From about this distance on an additional term grows with the sixth power, up to twice the distance; relative to the
   // geometric mean of the edge and its typical length, as the bound has to suit both the element and the model.
   double steep_weight = .25;
   double steep_distance = .19;
-  // Weights of the samples: 1 at vertices and centers of faces.
+  // Weights of the samples, times the third power of the local edge: one for the distance, which is relative to it, and two
+  // for the area, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
   double edge_sample_weight = .5;
   // Of samples of the reference, per area of one squared edge, and per edge length of a feature curve.
-  double pull_weight = 11;
+  double pull_weight = 9.8;
   double curve_pull_weight = .5;
-  double reference_spacing = .6; // in mean boundary edges
+  double reference_spacing = .8; // in mean boundary edges
   // Factor for features.
-  double feature_weight = 7;
+  double feature_weight = 5.3;
   // Samples keep their targets until they have moved this far.
   double still_distance = .02;
 
@@ -71,31 +78,36 @@ struct Maximization_parameters
   double floor_limit = .95;
   double floor_fraction = .04;
   // The phase ends when the minimum has not gained so much in so many iterations.
-  double climbing_gain = .01;
-  std::size_t climbing_patience = 6;
+  double climbing_gain = .005;
+  std::size_t climbing_patience = 10;
+  std::size_t climbing_iterations = 60;
 
   // --- Second phase: the attachment tightens, the worst corners are held ---
   // Held is this part of the minimum reached, but no more than the limit or, if that is higher, than the gap below
   // the floor_fraction of the hexahedra: a higher minimum than that is not worth the deviation. The gap is no more
   // than a multiple of what those lack of 1: nearly perfect meshes stay so.
   double hold = .986;
-  double hold_limit = .7;
+  double hold_limit = .694;
   double hold_gap = .115;
   double relative_hold_gap = 1.5;
   // The penalty acts from this far above what is held.
   double hold_margin = .04;
+  // Part of what a corner lacks that its multiplier grows by in an iteration; all of it overshoots and oscillates.
+  double lift_rate = .5;
   // Bound of the multipliers, against hexahedra that cannot be held at all.
   double largest_lift = 2;
   // Factor of the tightness in each iteration in which no corner is below this part of what is held, or which was the
   // last one to wait for that.
   double tightening = 1.25;
   double ready = .88;
-  std::size_t waiting_patience = 8;
-  // It ends when, fully tight, neither the minimum nor the average has gained so much in so many iterations.
+  std::size_t waiting_patience = 5;
+  // It ends when, fully tight, the minimum has not gained or the average not changed so much in so many iterations and a state
+  // was met whose worst corner was close to what is held; or after so many iterations.
+  double held_closely = .97;
   double least_gain_of_minimum = 2e-3;
-  double least_gain_of_average = 1e-4;
+  double least_change_of_average = 1.5e-4;
   std::size_t patience = 10;
-  std::size_t iterations = 100; // in both phases
+  std::size_t settling_iterations = 60;
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;
 
@@ -111,6 +123,11 @@ struct Maximization_parameters
   int solver_iterations = 200;
   double armijo = 1e-4;
   int line_search_steps = 12;
+  // No corner may drop below this part of its own or the held scaled Jacobian, the lower of the two, in one step; the
+  // vertices of those that would are held back to half the step, again and again, up to so often. The line search sees
+  // sums only, and lets single corners collapse.
+  double least_part_of_corner = .75;
+  int holding_rounds = 6;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -41,18 +41,23 @@ public:
       floor.fill(floor_);
   }
 
-  // A floor at what has to be kept. Corners that stay below have their own floors lifted until they do not: the multipliers
+  // A floor at what has to be kept, from where the rising one stood: its forces fade, where they are not needed, rather
+  // than vanish. Corners that stay below have their own floors lifted until they do not: the multipliers
   // of an augmented Lagrangian, over the weight of the floor. No less is kept than `least`.
   void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
   {
     highest_ = (std::max)(highest_, quality.minimum);
     const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
     held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, (std::max)(parameters_.hold_limit, q - gap)));
+    if (floor_ > 0)
+      for (Hexahedron_energy::Floor& lifts : lifts_)
+        lifts.fill((std::max)(0.0, floor_ - held_ - parameters_.hold_margin));
+    floor_ = 0;
     for (std::size_t h = 0; h < floors_.size(); ++h) {
       const auto corners = hexahedron_corners(points, complex_.hexahedra[h]);
       for (int c = 0; c < 8; ++c) {
         const double missing = held_ - corner_at(corners.data(), c).scaled_jacobian;
-        lifts_[h][c] = (std::min)((std::max)(0.0, lifts_[h][c] + missing), parameters_.largest_lift);
+        lifts_[h][c] = (std::min)((std::max)(0.0, lifts_[h][c] + parameters_.lift_rate * missing), parameters_.largest_lift);
         floors_[h][c] = held_ + parameters_.hold_margin + lifts_[h][c];
       }
     }

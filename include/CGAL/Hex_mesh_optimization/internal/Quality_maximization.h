@@ -58,14 +58,15 @@ public:
     if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
       return;
     Best best{points, quality.invalid, quality.minimum, 0, 0, quality.invalid == 0 ? quality.minimum : -1};
-    Progress climb(quality, parameters_.climbing_gain, parameters_.least_gain_of_average);
+    Progress climb(quality, parameters_.climbing_gain, parameters_.least_change_of_average);
     Progress settling = climb;
     bool tightens = false;
-    std::size_t waited = 0;
+    std::size_t waited = 0, settled = 0;
     attachment_.tightness = parameters_.start_tightness;
-    for (std::size_t i = 0; i < parameters_.iterations && !control.is_stopped(); ++i) {
-      if (!tightens && climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience) {
+    for (std::size_t i = 0; !control.is_stopped(); ++i) {
+      if (!tightens && (climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience || i == parameters_.climbing_iterations)) {
         tightens = true;
+        energy_.set_shape_factor(parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average));
         if (relations_)
           adapt_lengths(points);
       }
@@ -82,19 +83,22 @@ public:
       attachment_.update(points);
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
+                                        [&](Positions& d) { hold_back(points, quality, d); },
                                         is_fixed_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
       const double excess = (std::max)(0.0, attachment_.largest_distance(points) - parameters_.maximum_deviation);
       best.offer(points, quality, attachment_.tightness, excess, parameters_.accepted_loss);
       climb.add(quality);
       if (attachment_.tightness < 1)
-        settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_gain_of_average);
+        settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
       else
         settling.add(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, quality);
+      if (attachment_.tightness == 1 && ++settled >= parameters_.settling_iterations)
+        break;
       if (excess > 0)
         continue;
-      if (settling.iterations_without_gain() >= parameters_.patience)
+      if (settling.iterations_without_change() >= parameters_.patience && best.minimum >= parameters_.held_closely * floor_.held())
         break;
       if (attachment_.tightness == 1 && quality.invalid == 0 && quality.minimum >= target_quality)
         break;
@@ -132,15 +136,16 @@ private:
     }
   };
 
-  // How long neither the minimum nor the average has gained anything to speak of.
+  // For how long the minimum has not gained, and the average not changed, by anything to speak of. While the attachment
+  // settles the average falls.
   class Progress
   {
   public:
-    Progress(const Mesh_quality& quality, double gain_of_minimum, double gain_of_average)
+    Progress(const Mesh_quality& quality, double gain_of_minimum, double change_of_average)
       : minimum_(quality.minimum)
       , average_(quality.average)
       , gain_of_minimum_(gain_of_minimum)
-      , gain_of_average_(gain_of_average)
+      , change_of_average_(change_of_average)
     {}
 
     void add(const Mesh_quality& quality)
@@ -151,29 +156,63 @@ private:
         minimum_ = quality.minimum;
         since_minimum_ = 0;
       }
-      if (quality.average > average_ + gain_of_average_) {
+      if (std::abs(quality.average - average_) > change_of_average_) {
         average_ = quality.average;
         since_average_ = 0;
       }
     }
 
     std::size_t iterations_without_gain_of_minimum() const { return since_minimum_; }
-    std::size_t iterations_without_gain() const { return (std::min)(since_minimum_, since_average_); }
+    std::size_t iterations_without_change() const { return (std::min)(since_minimum_, since_average_); }
 
   private:
-    double minimum_, average_, gain_of_minimum_, gain_of_average_;
+    double minimum_, average_, gain_of_minimum_, change_of_average_;
     std::size_t since_minimum_ = 0, since_average_ = 0;
   };
 
-  // Moves the target lengths towards those that the loosely attached mesh has found to suit it: smoothly, so that they
+  // Shortens the steps of the vertices around corners that would drop too far at once.
+  void hold_back(const Positions& points, const Mesh_quality& quality, Positions& direction) const
+  {
+    const double level = floor_.held() > 0 ? floor_.held() : quality.minimum;
+    std::vector<char> is_held_back(points.size());
+    for (int round = 0; round < parameters_.holding_rounds; ++round) {
+      std::fill(is_held_back.begin(), is_held_back.end(), false);
+      bool are_some_held_back = false;
+      for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
+        std::array<Vector_3, 8> x = hexahedron_corners(points, complex_.hexahedra[h]);
+        for (int i = 0; i < 8; ++i)
+          x[i] += direction[complex_.hexahedra[h][i]];
+        const double least = parameters_.least_part_of_corner * (std::min)(level, quality.scaled_jacobians[h]);
+        for (int i = 0; i < 8; ++i)
+          if (!(corner_at(x.data(), i).scaled_jacobian >= least)) {
+            for (int v : complex_.hexahedra[h])
+              is_held_back[v] = true;
+            are_some_held_back = true;
+            break;
+          }
+      }
+      if (!are_some_held_back)
+        return;
+      for (std::size_t v = 0; v < direction.size(); ++v)
+        if (is_held_back[v])
+          direction[v] /= 2;
+    }
+  }
+
+  // Moves the target lengths of the interior towards those that the loosely attached mesh has found to suit it: smoothly, so that they
   // follow the shape of the model and not of single poor hexahedra.
   void adapt_lengths(const Positions& points)
   {
+    std::vector<char> is_on_boundary(complex_.edges.size(), false);
+    for (const Hexahedral_complex::Boundary_edge& e : complex_.boundary_edges)
+      is_on_boundary[e.edge] = true;
     const std::vector<double> reached = smooth_edge_lengths(*relations_, edge_lengths(complex_, points));
     for (std::size_t h = 0; h < lengths_.size(); ++h)
       for (int k = 0; k < 12; ++k) {
+        const int edge = complex_.hexahedron_edges[h][k] / 2;
         double& length = lengths_[h][k];
-        length *= std::pow(reached[complex_.hexahedron_edges[h][k] / 2] / length, parameters_.length_adaptation);
+        if (!is_on_boundary[edge])
+          length *= std::pow(reached[edge] / length, parameters_.length_adaptation);
       }
   }
 

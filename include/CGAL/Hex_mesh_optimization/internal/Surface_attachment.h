@@ -172,6 +172,7 @@ private:
     Attachment_sample& s = samples_.back();
     for (int k = 0; k < s.count; ++k)
       s.scale += scale_[s.vertices[k]] / s.count;
+    s.weight *= s.scale * s.scale * s.scale;
     if (s.kind != Vertex_kind::SURFACE)
       s.weight *= parameters_.feature_weight;
     return s;

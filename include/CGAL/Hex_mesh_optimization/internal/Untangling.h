@@ -95,6 +95,7 @@ public:
       attachment_.update(points);
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
+                                        [](Positions&) {},
                                         is_fixed_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
       if (quality.inverted < fewest) {

@@ -18,9 +18,9 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 // value(points) may be infinite where the energy is not defined; assemble(points, gradient, matrix) adds to zeros, with
-// a positive semi-definite model of the Hessian. Moves the points that are not fixed and returns the energy reached.
-template <class Value, class Assemble>
-double newton_step(const Value& value, const Assemble& assemble, const std::vector<char>& is_fixed,
+// a positive semi-definite model of the Hessian; restrict_step(direction) may shorten the step of single points. Moves the points that are not fixed and returns the energy reached.
+template <class Value, class Assemble, class Restrict>
+double newton_step(const Value& value, const Assemble& assemble, const Restrict& restrict_step, const std::vector<char>& is_fixed,
                    const Maximization_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
@@ -29,6 +29,7 @@ double newton_step(const Value& value, const Assemble& assemble, const std::vect
   for (Vector_3& g : gradient)
     g = -g;
   matrix.solve(gradient, is_fixed, parameters.solver_tolerance, parameters.solver_iterations, direction);
+  restrict_step(direction);
   double slope = 0;
   for (std::size_t v = 0; v < points.size(); ++v)
     slope -= gradient[v].dot(direction[v]);
