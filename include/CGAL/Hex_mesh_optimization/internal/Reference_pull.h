@@ -35,6 +35,7 @@ public:
     double area; // of the reference that the sample stands for
     double distance;
     Vector_3 direction; // unit vector between the two, or a normal where they coincide
+    std::size_t hint; // for the next search
   };
 
   Reference_pull(const Hexahedral_complex& complex, const Reference_surface& surface, double spacing)
@@ -67,17 +68,17 @@ public:
       if (!is_first && !has_moved(link, found_at_[i], points, still))
         continue;
       if (!boundary) {
-        boundary = boundary_as_reference(complex_, points);
+        boundary = boundary_as_reference(complex_, points, !is_first);
         if (boundary->is_empty()) {
           links_.clear();
           return links_;
         }
       }
       const Vector_3& sample = samples_[i].point;
-      const Surface_point foot = boundary->closest_point(sample);
+      const Surface_point foot = boundary->closest_point(sample, is_first ? Reference_surface::no_hint : link.hint);
       const double distance = (foot.point - sample).norm();
       link = {boundary->triangles[foot.triangle], foot.coordinates, sample, samples_[i].area, distance,
-              distance > coincidence ? Vector_3((foot.point - sample) / distance) : foot.normal};
+              distance > coincidence ? Vector_3((foot.point - sample) / distance) : foot.normal, foot.hint};
       for (int k = 0; k < 3; ++k)
         found_at_[i][k] = points[link.vertices[k]];
     }

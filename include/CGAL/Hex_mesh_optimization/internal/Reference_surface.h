@@ -44,6 +44,7 @@ struct Surface_point
   Vector_3 normal; // unit length, outwards; smooth between feature curves
   std::array<double, 3> coordinates; // barycentric, in the triangle
   std::size_t triangle;
+  std::size_t hint; // for a search nearby
 };
 
 struct Curve_point
@@ -131,7 +132,8 @@ private:
 class Reference_surface
 {
 public:
-  Reference_surface(Positions points, std::vector<Triangle_indices> triangles)
+  // A temporary one is cheaper to build: its normals are those of the triangles, and searches should be given a hint.
+  explicit Reference_surface(Positions points, std::vector<Triangle_indices> triangles, bool is_temporary = false)
     : points(std::move(points))
     , triangles(std::move(triangles))
   {
@@ -142,8 +144,10 @@ public:
     }
     tree_.insert(soup_.begin(), soup_.end());
     tree_.build();
-    tree_.accelerate_distance_queries();
-    smooth_normals(); // until curves are known
+    if (!is_temporary) {
+      tree_.accelerate_distance_queries();
+      smooth_normals(); // until curves are known
+    }
   }
 
   // Averages the normals around every vertex, but not across feature curves. A point on an edge or a vertex then has
@@ -202,16 +206,23 @@ public:
 
   bool is_empty() const { return soup_.empty(); }
 
-  Surface_point closest_point(const Vector_3& query) const
+  static constexpr std::size_t no_hint = static_cast<std::size_t>(-1);
+
+  // hint: that of an earlier result nearby; it saves time, whatever it is.
+  Surface_point closest_point(const Vector_3& query, std::size_t hint = no_hint) const
   {
-    const auto found = tree_.closest_point_and_primitive(aabb::point(query));
-    Surface_point result{aabb::vector(found.first), Vector_3::Zero(), {}, index_[found.second - soup_.begin()]};
+    const aabb::Kernel::Point_3 q = aabb::point(query);
+    const auto found = hint < soup_.size()
+                         ? tree_.closest_point_and_primitive(q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q), soup_.begin() + hint})
+                         : tree_.closest_point_and_primitive(q);
+    const std::size_t place = found.second - soup_.begin();
+    Surface_point result{aabb::vector(found.first), Vector_3::Zero(), {}, index_[place], place};
     const std::size_t t = result.triangle;
     const Vector_3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = result.point - corner(t, 0);
     const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
     const double b = (vv * u.dot(w) - uv * v.dot(w)) / determinant, c = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
     result.coordinates = {1 - b - c, b, c};
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3 && !normals_.empty(); ++k)
       result.normal += result.coordinates[k] * normals_[3 * t + k];
     result.normal = result.normal.norm() > 1e-6 ? result.normal.normalized() : u.cross(v).normalized();
     return result;
@@ -233,7 +244,7 @@ private:
 
   std::vector<aabb::Kernel::Triangle_3> soup_; // without the degenerate triangles, which have no normal
   std::vector<std::size_t> index_;             // of each, in triangles
-  Positions normals_;                          // at the corners of triangles
+  Positions normals_;                          // at the corners of triangles; none in a temporary surface
   CGAL::AABB_tree<aabb::Triangle_traits> tree_;
 };
 

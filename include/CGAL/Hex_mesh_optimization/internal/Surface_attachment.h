@@ -40,6 +40,7 @@ struct Attachment_sample
   Vertex_kind kind;
   int curve;
   double scale = 0;  // of the distance: the local edge length
+  std::size_t hint = Reference_surface::no_hint; // for the next search of the target
   double strain = 1; // grows while the sample is farther than the bound of the deviation allows
   Vector_3 target = Vector_3::Zero();
   Matrix_3 projector = Matrix_3::Zero();
@@ -221,7 +222,8 @@ private:
       s.projector = Matrix_3::Identity() - c.tangent * c.tangent.transpose();
     }
     else {
-      const Surface_point q = surface_.closest_point(p);
+      const Surface_point q = surface_.closest_point(p, s.hint);
+      s.hint = q.hint;
       s.target = q.point;
       s.projector = direction_projector(p - q.point, q.normal);
     }

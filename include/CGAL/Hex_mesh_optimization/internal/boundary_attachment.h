@@ -86,7 +86,8 @@ inline Edge_list sharp_boundary_edges(const Hexahedral_complex& complex, const P
 // The boundary of the mesh as a reference of its own. Its vertices keep the
 // indices of the mesh; a quad is split from its first corner in the order of
 // hexahedron_faces, the split most readers of boundary quads apply.
-inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex, const Positions& points)
+inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex, const Positions& points,
+                                                                bool is_temporary = false)
 {
   std::vector<Triangle_indices> triangles;
   triangles.reserve(2 * complex.boundary_faces.size());
@@ -94,7 +95,7 @@ inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral
     triangles.push_back({f.vertices[0], f.vertices[1], f.vertices[2]});
     triangles.push_back({f.vertices[0], f.vertices[2], f.vertices[3]});
   }
-  return std::make_unique<Reference_surface>(points, std::move(triangles));
+  return std::make_unique<Reference_surface>(points, std::move(triangles), is_temporary);
 }
 
 // Attachment when the reference is the boundary itself: by identity.
