@@ -306,6 +306,22 @@ TEST_F(Program, does_not_move_frozen_vertices)
   EXPECT_TRUE(moved);
 }
 
+// Two processes, any number of threads: the same bits
+TEST_F(Program, writes_the_same_file_every_time)
+{
+  write("in.mesh", tangled_block());
+  write("reference.off", "OFF\n8 6 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
+                         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  for (const std::string reference : {"", " --reference reference.off"}) {
+    ASSERT_EQ(run("in.mesh first.mesh --threads 1" + reference), 0) << text("stderr");
+    for (const char* threads : {"1", "2", "7"}) {
+      ASSERT_EQ(run(std::string("in.mesh again.mesh --threads ") + threads + reference), 0) << text("stderr");
+      EXPECT_EQ(text("again.mesh"), text("first.mesh"));
+    }
+    EXPECT_NE(text("first.mesh"), text("in.mesh"));
+  }
+}
+
 TEST_F(Program, writes_the_best_so_far_when_the_time_is_over)
 {
   write("in.mesh", tangled_block());
