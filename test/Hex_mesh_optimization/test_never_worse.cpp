@@ -8,6 +8,7 @@
 
 #include <CGAL/optimize_hex_mesh.h>
 
+#include "Marked_vertices.h"
 #include "mesh_families.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -113,16 +114,6 @@ const std::vector<Damage> damages = {
 
 // --- Options ------------------------------------------------------------------------------
 
-struct Constrained
-{
-  using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const std::vector<char>* marks;
-  friend bool get(const Constrained& map, std::size_t v) { return (*map.marks)[v]; }
-};
-
 struct Options
 {
   Method method = Method::FULL;
@@ -193,7 +184,7 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
   const double length = input.mean_edge_length(), bound = options.maximum_deviation * length;
   const auto np = params::optimization_method(options.method)
                     .fixed_boundary(options.fixed_boundary)
-                    .vertex_is_constrained_map(Constrained{&is_frozen})
+                    .vertex_is_constrained_map(Marked_vertices{&is_frozen})
                     .maximum_deviation(bound)
                     .number_of_iterations(options.iterations);
   Surface_mesh surface;
@@ -246,7 +237,7 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
   if (std::isfinite(bound)) {
     Indexed_mesh unmoved = input;
     const std::vector<char> all(unmoved.points.size(), true);
-    const auto hold = params::vertex_is_constrained_map(Constrained{&all});
+    const auto hold = params::vertex_is_constrained_map(Marked_vertices{&all});
     const Status given = options.has_reference ? CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, surface, hold)
                                                : CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, hold);
     if (given.deviation.maximum <= bound && b.number_of_invalid >= a.number_of_invalid) {

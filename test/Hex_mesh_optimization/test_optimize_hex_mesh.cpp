@@ -5,6 +5,7 @@
 
 #include <CGAL/optimize_hex_mesh.h>
 
+#include "Marked_vertices.h"
 #include "mesh_families.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -38,17 +39,6 @@ using Surface_mesh = CGAL::Surface_mesh<Point>;
 using HMO::Method;
 using HMO::Return_code;
 using HMO::Status;
-
-// A set of vertices as a property map
-struct Constrained
-{
-  using key_type = std::size_t;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const std::vector<char>* marks;
-  friend bool get(const Constrained& map, std::size_t v) { return (*map.marks)[v]; }
-};
 
 Surface_mesh surface_of(const Indexed_mesh& mesh)
 {
@@ -158,7 +148,7 @@ TEST(Optimize_hex_mesh_with_constraints, untangles_around_a_displaced_vertex)
     const Indexed_mesh input = mesh;
     std::vector<char> marks(mesh.points.size(), false);
     marks[v] = true;
-    const Status status = optimize(mesh, params::vertex_is_constrained_map(Constrained{&marks}).optimization_method(Method::RECTIFICATION));
+    const Status status = optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}).optimization_method(Method::RECTIFICATION));
     EXPECT_EQ(mesh.points[v], place);
     expect_honest(input, mesh, status);
     expect_never_worse(status);
@@ -176,7 +166,7 @@ TEST_P(Optimize_hex_mesh, keeps_constrained_vertices)
     std::vector<char> marks(mesh.points.size());
     for (std::size_t v = 0; v < marks.size(); ++v)
       marks[v] = v % 5 == 0;
-    const Status status = optimize(mesh, params::vertex_is_constrained_map(Constrained{&marks}).optimization_method(method));
+    const Status status = optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}).optimization_method(method));
     expect_honest(input, mesh, status);
     expect_never_worse(status);
     for (std::size_t v = 0; v < marks.size(); ++v)
@@ -192,7 +182,7 @@ TEST(Optimize_hex_mesh_with_constraints, moves_nothing_when_all_vertices_are_hel
   HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
   const Indexed_mesh input = mesh;
   const std::vector<char> marks(mesh.points.size(), true);
-  const Status status = optimize(mesh, params::vertex_is_constrained_map(Constrained{&marks}));
+  const Status status = optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}));
   EXPECT_EQ(mesh.points, input.points);
   EXPECT_EQ(status.return_code, Return_code::NO_IMPROVEMENT);
   EXPECT_FALSE(status.valid_mesh());
@@ -845,7 +835,7 @@ TEST(Optimize_hex_mesh_locked, are_hexahedra_between_constrained_vertices)
   HMO::make_block(mesh.points, mesh.hexahedra, {{2, 2, 2}}, {{2, 2, 2}});
   move(mesh, Point(1, 1, 1), Point(1, 1, 2.5)); // out of the top
   const std::vector<char> marks(mesh.points.size(), true);
-  const Status status = optimize(mesh, params::vertex_is_constrained_map(Constrained{&marks}));
+  const Status status = optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}));
   EXPECT_EQ(status.locked_hexahedra, (std::vector<std::size_t>{4, 5, 6, 7}));
   EXPECT_EQ(status.locked_hexahedra, status.invalid_hexahedra);
 }

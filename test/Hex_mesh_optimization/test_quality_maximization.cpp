@@ -9,6 +9,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/Quality_floor.h>
 #include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/held_back_step.h>
 #include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
@@ -575,6 +576,59 @@ TEST(Quality_floor, holds_no_more_than_was_reached)
       for (double f : floor[h])
         EXPECT_EQ(f, floor.held() + parameters.hold_margin) << "nothing is below what is held";
   }
+}
+
+// --- Steps -----------------------------------------------------------------------------------------
+
+// Only vertices of hexahedra that would get too poor are held back, and these until none is
+TEST(Held_back_step, is_shortened_only_where_corners_would_get_too_poor)
+{
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  const Positions points = positions(mesh);
+  const std::vector<double> least(complex.hexahedra.size(), .6);
+  std::mt19937 random(3);
+  Positions step(points.size());
+  for (Vector_3& d : step)
+    d = random_vector(random, .02);
+  const int moved = complex.hexahedra[0][0];
+  step[moved] = Vector_3(1, .8, .9);
+  const Positions given = step;
+  const int rounds = 20;
+  hold_back(complex, points, least, rounds, step);
+
+  std::vector<char> is_near(points.size(), false);
+  for (int h : complex.vertex_hexahedra[moved])
+    for (int v : complex.hexahedra[h])
+      is_near[v] = true;
+  Positions reached = points;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    reached[v] += step[v];
+    if (!is_near[v]) {
+      EXPECT_EQ(step[v], given[v]) << v;
+    }
+  }
+  EXPECT_GE(Mesh_quality(complex, reached).minimum, .6);
+  const double part = step[moved].norm() / given[moved].norm();
+  EXPECT_LT(part, 1);
+  EXPECT_GT(part, 0);
+  EXPECT_NEAR(std::log2(part), std::round(std::log2(part)), 1e-12) << "halved, and halved again";
+  // once less would not have done
+  Positions longer = points;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    longer[v] += is_near[v] ? Vector_3(2 * step[v]) : step[v];
+  EXPECT_LT(Mesh_quality(complex, longer).minimum, .6);
+}
+
+TEST(Held_back_step, ends_after_the_rounds)
+{
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  const std::vector<double> unreachable(complex.hexahedra.size(), 2.);
+  Positions step(mesh.points.size(), Vector_3(1, 2, 3));
+  hold_back(complex, positions(mesh), unreachable, 3, step);
+  for (const Vector_3& d : step)
+    EXPECT_EQ(d, Vector_3(1, 2, 3) / 8);
 }
 
 // --- A mesh with all that a run needs ------------------------------------------------------------

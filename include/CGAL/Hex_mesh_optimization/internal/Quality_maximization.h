@@ -18,6 +18,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/held_back_step.h>
 #include <CGAL/Hex_mesh_optimization/internal/newton_step.h>
 #include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
 
@@ -83,7 +84,7 @@ public:
       attachment_.update(points);
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
-                                        [&](Positions& d) { hold_back(points, quality, d); },
+                                        [&](Positions& d) { hold_back(complex_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, d); },
                                         is_fixed_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
       const double excess = (std::max)(0.0, attachment_.largest_distance(points) - parameters_.maximum_deviation);
@@ -170,33 +171,14 @@ private:
     std::size_t since_minimum_ = 0, since_average_ = 0;
   };
 
-  // Shortens the steps of the vertices around corners that would drop too far at once.
-  void hold_back(const Positions& points, const Mesh_quality& quality, Positions& direction) const
+  // What no corner of each hexahedron may drop below in the next step.
+  std::vector<double> least_scaled_jacobians(const Mesh_quality& quality) const
   {
     const double level = floor_.held() > 0 ? floor_.held() : quality.minimum;
-    std::vector<char> is_held_back(points.size());
-    for (int round = 0; round < parameters_.holding_rounds; ++round) {
-      std::fill(is_held_back.begin(), is_held_back.end(), false);
-      bool are_some_held_back = false;
-      for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
-        std::array<Vector_3, 8> x = hexahedron_corners(points, complex_.hexahedra[h]);
-        for (int i = 0; i < 8; ++i)
-          x[i] += direction[complex_.hexahedra[h][i]];
-        const double least = parameters_.least_part_of_corner * (std::min)(level, quality.scaled_jacobians[h]);
-        for (int i = 0; i < 8; ++i)
-          if (!(corner_at(x.data(), i).scaled_jacobian >= least)) {
-            for (int v : complex_.hexahedra[h])
-              is_held_back[v] = true;
-            are_some_held_back = true;
-            break;
-          }
-      }
-      if (!are_some_held_back)
-        return;
-      for (std::size_t v = 0; v < direction.size(); ++v)
-        if (is_held_back[v])
-          direction[v] /= 2;
-    }
+    std::vector<double> least = quality.scaled_jacobians;
+    for (double& s : least)
+      s = parameters_.least_part_of_corner * (std::min)(level, s);
+    return least;
   }
 
   // Moves the target lengths of the interior towards those that the loosely attached mesh has found to suit it: smoothly, so that they

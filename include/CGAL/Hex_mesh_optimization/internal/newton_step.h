@@ -18,10 +18,11 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 // value(points) may be infinite where the energy is not defined; assemble(points, gradient, matrix) adds to zeros, with
-// a positive semi-definite model of the Hessian; restrict_step(direction) may shorten the step of single points. Moves the points that are not fixed and returns the energy reached.
+// a positive semi-definite model of the Hessian; restrict_step(direction) may shorten the steps of single points. Moves
+// the points that are not fixed and returns the energy reached.
 template <class Value, class Assemble, class Restrict>
-double newton_step(const Value& value, const Assemble& assemble, const Restrict& restrict_step, const std::vector<char>& is_fixed,
-                   const Maximization_parameters& parameters, Block_matrix& matrix, Positions& points)
+double newton_step(const Value& value, const Assemble& assemble, const Restrict& restrict_step,
+                   const std::vector<char>& is_fixed, const Maximization_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
