@@ -7,14 +7,21 @@
 // A symmetric sparse matrix of 3×3 blocks, one row of blocks a vertex, and the
 // conjugate gradients that solve with it.
 
+#include <CGAL/Hex_mesh_optimization/internal/Conflict_free_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/Corner_model.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Lanes.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -24,13 +31,7 @@ namespace internal {
 class Block_matrix
 {
 public:
-  // The blocks of one hexahedron: 8 on the diagonal, then those above it, row by row.
-  using Hexahedron_blocks = std::array<Matrix_3, 36>;
-
-  // Where the block of two different corners is among them, i < j.
-  static constexpr int local_block(int i, int j) { return 8 + i * (15 - i) / 2 + j - i - 1; }
-
-  // Couples all vertices of each hexahedron.
+  // Couples the vertices of each hexahedron, but for the ends of its four diagonals.
   explicit Block_matrix(const Hexahedral_complex& complex)
     : diagonal(complex.number_of_vertices())
     , offsets_(complex.number_of_vertices() + 1, 0)
@@ -41,33 +42,43 @@ public:
     std::vector<int> neighbors;
     for (std::size_t v = 0; v < complex.number_of_vertices(); ++v) {
       neighbors.clear();
-      for (int h : complex.vertex_hexahedra[v])
-        for (int u : complex.hexahedra[h])
-          if (u > static_cast<int>(v))
-            neighbors.push_back(u);
+      for (int h : complex.vertex_hexahedra[v]) {
+        const Hexahedron& corners = complex.hexahedra[h];
+        const std::size_t i = std::find(corners.begin(), corners.end(), static_cast<int>(v)) - corners.begin();
+        for (int j = 0; j < 8; ++j)
+          if (corners[j] > static_cast<int>(v) && hexahedron_couplings.of[i][j] >= 0)
+            neighbors.push_back(corners[j]);
+      }
       std::sort(neighbors.begin(), neighbors.end());
       neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
       columns_.insert(columns_.end(), neighbors.begin(), neighbors.end());
       offsets_[v + 1] = columns_.size();
     }
     blocks_.resize(columns_.size());
+    std::vector<int> touched;
+    ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range, [&](std::size_t v) -> const std::vector<int>& {
+      touched.assign(columns_.begin() + offsets_[v], columns_.begin() + offsets_[v + 1]);
+      touched.push_back(static_cast<int>(v));
+      return touched;
+    });
     for (std::size_t h = 0; h < hexahedra_.size(); ++h)
-      for (int i = 0; i < 8; ++i)
-        for (int j = i + 1; j < 8; ++j) {
-          const int a = hexahedra_[h][i], b = hexahedra_[h][j];
-          hexahedron_slots_[h][local_block(i, j) - 8] = a < b ? 2 * slot(a, b) : 2 * slot(b, a) + 1;
-        }
+      for (int k = 0; k < Hexahedron_couplings::number; ++k) {
+        const auto [low, high] = std::minmax({hexahedra_[h][hexahedron_couplings.first[k]], hexahedra_[h][hexahedron_couplings.second[k]]});
+        hexahedron_slots_[h][k] = static_cast<std::uint32_t>(slot(low, high));
+      }
   }
 
   std::size_t size() const { return diagonal.size(); }
 
   void set_zero()
   {
-    std::fill(diagonal.begin(), diagonal.end(), Matrix_3::Zero());
-    std::fill(blocks_.begin(), blocks_.end(), Block::Zero());
+    for_ranges(size(), [&](std::size_t begin, std::size_t end) {
+      std::fill(diagonal.begin() + begin, diagonal.begin() + end, Matrix_3::Zero());
+      std::fill(blocks_.begin() + offsets_[begin], blocks_.begin() + offsets_[end], Block::Zero());
+    });
   }
 
-  // Adds B at (i, j) and, i ≠ j, its transpose at (j, i).
+  // Adds B at (i, j) and, i ≠ j, its transpose at (j, i). Both vertices must belong to one face.
   void add(int i, int j, const Matrix_3& B)
   {
     if (i == j)
@@ -78,93 +89,135 @@ public:
       blocks_[slot(j, i)] += B.transpose().cast<float>();
   }
 
-  void add(std::size_t hexahedron, const Hexahedron_blocks& B)
+  // Adds what one lane holds for a hexahedron.
+  template <class Real>
+  void add(std::size_t hexahedron, const Hexahedron_derivatives<Real>& derivatives, int lane_of_hexahedron)
   {
-    for (int i = 0; i < 8; ++i)
-      diagonal[hexahedra_[hexahedron][i]] += B[i];
-    for (int k = 0; k < 28; ++k) {
-      const std::size_t place = hexahedron_slots_[hexahedron][k];
-      if (place % 2)
-        blocks_[place / 2] += B[8 + k].transpose().cast<float>();
-      else
-        blocks_[place / 2] += B[8 + k].cast<float>();
+    const Hexahedron& h = hexahedra_[hexahedron];
+    const auto entry = [lane_of_hexahedron](const Real& x) { return lane(x, lane_of_hexahedron); };
+    for (int i = 0; i < 8; ++i) {
+      const Real* d = derivatives.diagonal[i];
+      Matrix_3& D = diagonal[h[i]];
+      int n = 0;
+      for (int a = 0; a < 3; ++a)
+        for (int b = a; b < 3; ++b, ++n) {
+          const auto value = entry(d[n]);
+          D(a, b) += value;
+          if (a != b)
+            D(b, a) += value;
+        }
+    }
+    for (int k = 0; k < Hexahedron_couplings::number; ++k) {
+      const Real* b = derivatives.coupling[k];
+      float* B = blocks_[hexahedron_slots_[hexahedron][k]].data();
+      const bool is_transposed = h[hexahedron_couplings.first[k]] > h[hexahedron_couplings.second[k]];
+      const int right = is_transposed ? 1 : 3, down = is_transposed ? 3 : 1; // B is stored column by column
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+          B[down * r + right * c] += static_cast<float>(entry(b[3 * r + c]));
     }
   }
 
   // Approximates A x = b from x = 0, in the rows that are not fixed, until the
   // residual has dropped by `tolerance`. Preconditioned by the diagonal blocks.
-  // Returns the iterations.
+  // Returns the iterations. The Hessian is a model: single precision is enough,
+  // and halves the traffic that limits the products.
   int solve(const Positions& b, const std::vector<char>& is_fixed, double tolerance, int maximum_iterations, Positions& x) const
   {
     const std::size_t n = size();
-    std::vector<Matrix_3> inverse(n, Matrix_3::Zero());
-    Positions r(n, Vector_3::Zero()), z(n), d(n), Ad(n);
+    double largest = 0; // so that nothing overflows
+    for (std::size_t v = 0; v < n; ++v)
+      if (!is_fixed[v])
+        largest = (std::max)(largest, b[v].cwiseAbs().maxCoeff());
     x.assign(n, Vector_3::Zero());
-    double rz = 0;
-    for (std::size_t v = 0; v < n; ++v) {
-      if (!is_fixed[v]) {
-        inverse[v] = diagonal[v].inverse();
-        r[v] = b[v];
+    if (!(largest > 0) || !std::isfinite(largest))
+      return 0;
+    std::vector<Block> inverse(n, Block::Zero());
+    std::vector<Vector> y(n, Vector::Zero()), r(n, Vector::Zero()), z(n), d(n), Ad(n);
+    double rz = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t v = begin; v < end; ++v) {
+        if (!is_fixed[v]) {
+          inverse[v] = diagonal[v].inverse().cast<float>();
+          r[v] = (b[v] / largest).cast<float>();
+        }
+        d[v] = z[v] = inverse[v] * r[v];
+        sum += r[v].dot(z[v]);
       }
-      d[v] = z[v] = inverse[v] * r[v];
-      rz += r[v].dot(z[v]);
-    }
+      return sum;
+    });
     const double stop = tolerance * tolerance * rz;
     int iteration = 0;
     for (; iteration < maximum_iterations && rz > stop; ++iteration) {
       multiply(d, Ad);
-      double dAd = 0;
-      for (std::size_t v = 0; v < n; ++v)
-        dAd += d[v].dot(Ad[v]); // d is zero in fixed rows
+      const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v)
+          sum += d[v].dot(Ad[v]); // d is zero in fixed rows
+        return sum;
+      });
       if (!(dAd > 0))
         break;
-      const double step = rz / dAd;
-      double next = 0;
-      for (std::size_t v = 0; v < n; ++v) {
-        x[v] += step * d[v];
-        r[v] -= step * Ad[v];
-        z[v] = inverse[v] * r[v]; // zero in fixed rows
-        next += r[v].dot(z[v]);
-      }
-      const double ratio = next / rz;
-      for (std::size_t v = 0; v < n; ++v)
-        d[v] = z[v] + ratio * d[v];
+      const float step = static_cast<float>(rz / dAd);
+      const double next = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v) {
+          y[v] += step * d[v];
+          r[v] -= step * Ad[v];
+          z[v] = inverse[v] * r[v]; // zero in fixed rows
+          sum += r[v].dot(z[v]);
+        }
+        return sum;
+      });
+      const float ratio = static_cast<float>(next / rz);
+      for_ranges(n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+          d[v] = z[v] + ratio * d[v];
+      });
       rz = next;
     }
+    for (std::size_t v = 0; v < n; ++v)
+      x[v] = largest * y[v].cast<double>();
     return iteration;
   }
 
   std::vector<Matrix_3> diagonal;
 
 private:
-  // The Hessian is a model; single precision halves the traffic that limits the products.
+  static constexpr std::size_t rows_of_range = 512;
+
   using Block = Eigen::Matrix3f;
+  using Vector = Eigen::Vector3f;
 
   std::size_t slot(int i, int j) const
   {
     return std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j) - columns_.begin();
   }
 
-  void multiply(const Positions& x, Positions& y) const
+  void multiply(const std::vector<Vector>& x, std::vector<Vector>& y) const
   {
-    for (std::size_t v = 0; v < size(); ++v)
-      y[v] = diagonal[v] * x[v];
-    for (std::size_t v = 0; v < size(); ++v) {
-      Vector_3 sum = Vector_3::Zero();
-      for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
-        const Matrix_3 B = blocks_[k].cast<double>();
-        sum += B * x[columns_[k]];
-        y[columns_[k]] += B.transpose() * x[v];
+    for_ranges(size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        y[v] = diagonal[v].cast<float>() * x[v];
+    });
+    ranges_->for_ranges([&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        Vector sum = Vector::Zero();
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
+          sum += blocks_[k] * x[columns_[k]];
+          y[columns_[k]] += blocks_[k].transpose() * x[v];
+        }
+        y[v] += sum;
       }
-      y[v] += sum;
-    }
+    });
   }
 
   std::vector<std::size_t> offsets_;
   std::vector<int> columns_;
   std::vector<Block> blocks_;
+  std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
   const std::vector<Hexahedron>& hexahedra_;
-  std::vector<std::array<std::size_t, 28>> hexahedron_slots_; // twice the slot of each block, plus one where it is transposed
+  std::vector<std::array<std::uint32_t, Hexahedron_couplings::number>> hexahedron_slots_; // of each coupling
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -9,8 +9,10 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/internal/Corner.h>
 #include <CGAL/Hex_mesh_optimization/internal/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Memory_order.h>
 #include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
@@ -87,13 +89,14 @@ class Hex_mesh_optimizer
 public:
   // Everything that can be wrong with the input is refused here, by Input_error.
   // reference: null when the boundary of the mesh is its own reference.
-  Hex_mesh_optimizer(Positions points, std::vector<Hexahedron> hexahedra, const Reference_input* reference,
-                     std::vector<char> is_frozen, const Optimization_parameters& parameters)
+  Hex_mesh_optimizer(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
+                     const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
-    , given_(std::move(points))
-    , complex_(oriented(given_, std::move(hexahedra), reversed_))
-    , is_frozen_(std::move(is_frozen))
+    , order_(memory_order(points, hexahedra))
+    , given_(order_.ordered(points))
+    , complex_(oriented(given_, order_.ordered(hexahedra), reversed_))
+    , is_frozen_(order_.ordered(is_frozen))
   {
     if (reference)
       check(*reference);
@@ -124,7 +127,7 @@ public:
     return status;
   }
 
-  const Positions& positions() const { return result_; }
+  Positions positions() const { return order_.as_given(result_); }
 
 private:
   void rectify(Positions& points, const Edge_relations& relations, const std::vector<double>& lengths, bool starts_harmonic)
@@ -184,13 +187,20 @@ private:
       }
   }
 
+  // All errors in the mesh are found here, while its elements still have the numbers that the user knows.
+  static Memory_order memory_order(const Positions& points, const std::vector<Hexahedron>& hexahedra)
+  {
+    check(points, hexahedra);
+    const Hexahedral_complex complex(points.size(), hexahedra);
+    if (complex.boundary_faces.empty())
+      throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
+    return Memory_order(complex);
+  }
+
   // Bottom and top are exchanged if the hexahedra are numbered inside out.
   static Hexahedral_complex oriented(const Positions& points, std::vector<Hexahedron> hexahedra, bool& reversed)
   {
-    check(points, hexahedra);
     Hexahedral_complex complex(points.size(), std::move(hexahedra));
-    if (complex.boundary_faces.empty())
-      throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
     reversed = enclosed_volume(points, complex) < 0;
     if (!reversed)
       return complex;
@@ -286,11 +296,12 @@ private:
     if (parameters_.target_length) {
       std::vector<double> lengths(complex_.edges.size());
       for (std::size_t e = 0; e < lengths.size(); ++e) {
-        const double given = parameters_.target_length(complex_.edges[e][0], complex_.edges[e][1]);
+        const int source = order_.given_vertex(complex_.edges[e][0]), target = order_.given_vertex(complex_.edges[e][1]);
+        const double given = parameters_.target_length(source, target);
         if (!(given > 0) || !std::isfinite(given))
           throw Input_error(Input_error::Element::PARAMETER, e,
-                            "the target length of the edge from vertex " + std::to_string(complex_.edges[e][0]) + " to vertex " +
-                              std::to_string(complex_.edges[e][1]) + " is not positive and finite");
+                            "the target length of the edge from vertex " + std::to_string(source) + " to vertex " +
+                              std::to_string(target) + " is not positive and finite");
         lengths[e] = given / unit_;
       }
       return lengths;
@@ -325,13 +336,19 @@ private:
     }
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
       if (hexahedron_validity(hexahedron_coordinates(result_, complex_.hexahedra[h])) != Validity::VALID) {
-        status.invalid_hexahedra.push_back(h);
+        status.invalid_hexahedra.push_back(order_.given_hexahedron(h));
         if (is_locked(complex_.hexahedra[h]))
-          status.locked_hexahedra.push_back(h);
+          status.locked_hexahedra.push_back(order_.given_hexahedron(h));
       }
-    for (const Connectivity_limit& limit : connectivity_limits(complex_, *attachment_))
-      if (scaled_jacobian(hexahedron_coordinates(result_, complex_.hexahedra[limit.hexahedron])) <= limit.largest_scaled_jacobian)
+    for (Connectivity_limit limit : connectivity_limits(complex_, *attachment_))
+      if (scaled_jacobian(hexahedron_coordinates(result_, complex_.hexahedra[limit.hexahedron])) <= limit.largest_scaled_jacobian) {
+        limit.hexahedron = order_.given_hexahedron(limit.hexahedron);
         status.connectivity_limits.push_back(limit);
+      }
+    std::sort(status.invalid_hexahedra.begin(), status.invalid_hexahedra.end());
+    std::sort(status.locked_hexahedra.begin(), status.locked_hexahedra.end());
+    std::sort(status.connectivity_limits.begin(), status.connectivity_limits.end(),
+              [](const Connectivity_limit& a, const Connectivity_limit& b) { return a.hexahedron < b.hexahedron; });
     status.iterations = control_.iterations;
     if (control_.is_stopped())
       status.return_code = control_.return_code();
@@ -385,6 +402,7 @@ private:
 
   const Optimization_parameters parameters_;
   Run_control control_;
+  const Memory_order order_; // in which all that follows is
   const Positions given_;
   bool reversed_ = false;
   const Hexahedral_complex complex_;

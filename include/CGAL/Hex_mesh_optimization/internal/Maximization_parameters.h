@@ -79,7 +79,7 @@ struct Maximization_parameters
   double floor_fraction = .04;
   // The phase ends when the minimum has not gained so much in so many iterations.
   double climbing_gain = .005;
-  std::size_t climbing_patience = 10;
+  std::size_t climbing_patience = 6;
   std::size_t climbing_iterations = 60;
 
   // --- Second phase: the attachment tightens, the worst corners are held ---
@@ -107,7 +107,7 @@ struct Maximization_parameters
   double least_gain_of_minimum = 2e-3;
   double least_change_of_average = 1.5e-4;
   std::size_t patience = 10;
-  std::size_t settling_iterations = 60;
+  std::size_t settling_iterations = 40;
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 #include <CGAL/Hex_mesh_optimization/validity.h>
 
@@ -29,13 +30,28 @@ struct Mesh_quality
   Mesh_quality(const Hexahedral_complex& complex, const Positions& points)
     : scaled_jacobians(complex.hexahedra.size())
   {
-    for (std::size_t h = 0; h < scaled_jacobians.size(); ++h) {
-      const Hexahedron_coordinates x = hexahedron_coordinates(points, complex.hexahedra[h]);
-      const double q = scaled_jacobians[h] = scaled_jacobian(x);
-      inverted += q <= 0;
-      invalid += q <= 0 || hexahedron_validity(x) != Validity::VALID;
-      minimum = (std::min)(minimum, q);
-      average += q;
+    struct Part
+    {
+      std::size_t inverted = 0, invalid = 0;
+      double minimum = 1, sum = 0;
+    };
+    const auto parts = results_of_ranges<Part>(scaled_jacobians.size(), [&](std::size_t begin, std::size_t end) {
+      Part part;
+      for (std::size_t h = begin; h < end; ++h) {
+        const Hexahedron_coordinates x = hexahedron_coordinates(points, complex.hexahedra[h]);
+        const double q = scaled_jacobians[h] = scaled_jacobian(x);
+        part.inverted += q <= 0;
+        part.invalid += q <= 0 || hexahedron_validity(x) != Validity::VALID;
+        part.minimum = (std::min)(part.minimum, q);
+        part.sum += q;
+      }
+      return part;
+    }, 512);
+    for (const Part& part : parts) {
+      inverted += part.inverted;
+      invalid += part.invalid;
+      minimum = (std::min)(minimum, part.minimum);
+      average += part.sum;
     }
     average /= scaled_jacobians.size();
   }

@@ -7,8 +7,10 @@
 // What the corners of the hexahedra are penalized below: first a floor that rises
 // ahead of the worst corner, then one that holds what was reached.
 
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Corner_model.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/Lanes.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
@@ -25,9 +27,9 @@ class Quality_floor
 {
 public:
   Quality_floor(const Hexahedral_complex& complex, const Maximization_parameters& parameters)
-    : complex_(complex)
-    , parameters_(parameters)
-    , lifts_(complex.hexahedra.size(), Hexahedron_energy::Floor{})
+    : parameters_(parameters)
+    , hexahedra_(complex)
+    , lifts_(complex.hexahedra.size())
     , floors_(complex.hexahedra.size())
   {}
 
@@ -37,8 +39,7 @@ public:
   {
     highest_ = (std::max)(highest_, quality.minimum);
     floor_ = (std::max)(floor_, (std::min)({parameters_.floor_limit, quantile(quality), quality.minimum + parameters_.floor_step}));
-    for (Hexahedron_energy::Floor& floor : floors_)
-      floor.fill(floor_);
+    hexahedra_.for_each([this](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor_)); });
   }
 
   // A floor at what has to be kept, from where the rising one stood: its forces fade, where they are not needed, rather
@@ -49,22 +50,27 @@ public:
     highest_ = (std::max)(highest_, quality.minimum);
     const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
     held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, (std::max)(parameters_.hold_limit, q - gap)));
-    if (floor_ > 0)
-      for (Hexahedron_energy::Floor& lifts : lifts_)
-        lifts.fill((std::max)(0.0, floor_ - held_ - parameters_.hold_margin));
+    const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.hold_margin));
+    const bool is_first = floor_ > 0;
     floor_ = 0;
-    for (std::size_t h = 0; h < floors_.size(); ++h) {
-      const auto corners = hexahedron_corners(points, complex_.hexahedra[h]);
+    const float held = static_cast<float>(held_), rate = static_cast<float>(parameters_.lift_rate);
+    const Lanes largest = Lanes{} + static_cast<float>(parameters_.largest_lift);
+    hexahedra_.for_each([&](std::size_t i) {
+      const Hexahedron_frame<Lanes> frame = hexahedra_.frame(i, points);
+      Lanes *lifts = lifts_.batch(i), *floors = floors_.batch(i);
       for (int c = 0; c < 8; ++c) {
-        const double missing = held_ - corner_at(corners.data(), c).scaled_jacobian;
-        lifts_[h][c] = (std::min)((std::max)(0.0, lifts_[h][c] + parameters_.lift_rate * missing), parameters_.largest_lift);
-        floors_[h][c] = held_ + parameters_.hold_margin + lifts_[h][c];
+        if (is_first)
+          lifts[c] = Lanes{} + carried;
+        const Lanes lifted = larger(Lanes{}, lifts[c] + rate * (held - Corner_frame<Lanes>(frame, c).scaled_jacobian));
+        lifts[c] = smaller(lifted, largest);
+        floors[c] = lifts[c] + (held + static_cast<float>(parameters_.hold_margin));
       }
-    }
+    });
   }
 
   double held() const { return held_; }
-  const Hexahedron_energy::Floor& operator[](std::size_t hexahedron) const { return floors_[hexahedron]; }
+  // Of each corner of the hexahedra.
+  const Batched_values<8>& floors() const { return floors_; }
 
 private:
   double quantile(const Mesh_quality& quality) const
@@ -75,10 +81,10 @@ private:
     return sorted[rank];
   }
 
-  const Hexahedral_complex& complex_;
   const Maximization_parameters parameters_;
+  const Hexahedron_batches hexahedra_;
   double floor_ = 0, highest_ = 0, held_ = 0;
-  std::vector<Hexahedron_energy::Floor> lifts_, floors_;
+  Batched_values<8> lifts_, floors_;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

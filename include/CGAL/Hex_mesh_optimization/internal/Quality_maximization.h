@@ -10,6 +10,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
@@ -47,9 +48,13 @@ public:
     , matrix_(complex)
     , energy_(parameters)
     , floor_(complex, parameters)
-    , lengths_(hexahedron_lengths(complex, lengths))
+    , hexahedra_(complex)
+    , inverse_targets_(complex.hexahedra.size())
     , is_fixed_(is_fixed)
-  {}
+    , lengths_(lengths)
+  {
+    set_inverse_targets();
+  }
 
   // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
   // Does nothing if a hexahedron is inverted.
@@ -84,7 +89,7 @@ public:
       attachment_.update(points);
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
-                                        [&](Positions& d) { hold_back(complex_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, d); },
+                                        [&](Positions& d) { hold_back(complex_, hexahedra_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, d); },
                                         is_fixed_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
       const double excess = (std::max)(0.0, attachment_.largest_distance(points) - parameters_.maximum_deviation);
@@ -172,12 +177,12 @@ private:
   };
 
   // What no corner of each hexahedron may drop below in the next step.
-  std::vector<double> least_scaled_jacobians(const Mesh_quality& quality) const
+  Batched_values<1> least_scaled_jacobians(const Mesh_quality& quality) const
   {
     const double level = floor_.held() > 0 ? floor_.held() : quality.minimum;
-    std::vector<double> least = quality.scaled_jacobians;
-    for (double& s : least)
-      s = parameters_.least_part_of_corner * (std::min)(level, s);
+    Batched_values<1> least(quality.scaled_jacobians.size());
+    for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h)
+      least.set(h, 0, parameters_.least_part_of_corner * (std::min)(level, quality.scaled_jacobians[h]));
     return least;
   }
 
@@ -185,37 +190,39 @@ private:
   // follow the shape of the model and not of single poor hexahedra.
   void adapt_lengths(const Positions& points)
   {
-    std::vector<char> is_on_boundary(complex_.edges.size(), false);
-    for (const Hexahedral_complex::Boundary_edge& e : complex_.boundary_edges)
-      is_on_boundary[e.edge] = true;
     const std::vector<double> reached = smooth_edge_lengths(*relations_, edge_lengths(complex_, points));
-    for (std::size_t h = 0; h < lengths_.size(); ++h)
-      for (int k = 0; k < 12; ++k) {
-        const int edge = complex_.hexahedron_edges[h][k] / 2;
-        double& length = lengths_[h][k];
-        if (!is_on_boundary[edge])
-          length *= std::pow(reached[edge] / length, parameters_.length_adaptation);
-      }
+    for (std::size_t e = 0; e < lengths_.size(); ++e)
+      if (!complex_.is_boundary_edge[e])
+        lengths_[e] *= std::pow(reached[e] / lengths_[e], parameters_.length_adaptation);
+    set_inverse_targets();
+  }
+
+  void set_inverse_targets()
+  {
+    for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
+      for (int k = 0; k < 12; ++k)
+        inverse_targets_.set(h, k, 1 / lengths_[complex_.hexahedron_edges[h][k] / 2]);
   }
 
   double value(const Positions& points) const
   {
-    double sum = attachment_.energy(points);
-    for (std::size_t h = 0; h < complex_.hexahedra.size() && std::isfinite(sum); ++h)
-      sum += energy_.value(hexahedron_corners(points, complex_.hexahedra[h]).data(), lengths_[h], floor_[h]);
-    return sum;
+    const double sum = attachment_.energy(points);
+    return sum + hexahedra_.sum([&](std::size_t i) {
+      const Lanes values = energy_.value(hexahedra_.frame(i, points), inverse_targets_.batch(i), floor_.floors().batch(i));
+      double of_batch = 0;
+      for (int l = 0; l < hexahedra_.number_of_hexahedra(i); ++l)
+        of_batch += lane(values, l);
+      return of_batch;
+    });
   }
 
   void assemble(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
-    std::array<Vector_3, 8> g;
-    Block_matrix::Hexahedron_blocks H;
-    for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
-      energy_.derivatives(hexahedron_corners(points, complex_.hexahedra[h]).data(), lengths_[h], floor_[h], g, H);
-      for (int i = 0; i < 8; ++i)
-        gradient[complex_.hexahedra[h][i]] += g[i];
-      matrix.add(h, H);
-    }
+    hexahedra_.for_each_without_conflict([&](std::size_t i) {
+      Hexahedron_derivatives<Lanes> d;
+      energy_.derivatives(hexahedra_.frame(i, points), inverse_targets_.batch(i), floor_.floors().batch(i), d);
+      hexahedra_.add(i, d, gradient, matrix);
+    });
     attachment_.add_derivatives(points, gradient, matrix);
   }
 
@@ -226,8 +233,10 @@ private:
   Block_matrix matrix_;
   Hexahedron_energy energy_;
   Quality_floor floor_;
-  std::vector<Hexahedron_lengths> lengths_;
+  const Hexahedron_batches hexahedra_;
+  Batched_values<12> inverse_targets_; // of the edges
   const std::vector<char> is_fixed_;
+  std::vector<double> lengths_;        // targets of the edges
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -9,13 +9,18 @@
 // protrusion was cut off; the tip can.
 
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Nearby_triangles.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface_samples.h>
 
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,8 +39,9 @@ public:
     Vector_3 sample;
     double area; // of the reference that the sample stands for
     double distance;
+    std::size_t triangle; // of the boundary
+    bool is_new;            // by the last update
     Vector_3 direction; // unit vector between the two, or a normal where they coincide
-    std::size_t hint; // for the next search
   };
 
   Reference_pull(const Hexahedral_complex& complex, const Reference_surface& surface, double spacing)
@@ -59,29 +65,26 @@ public:
   // was found stays as it is.
   const std::vector<Link>& update(const Positions& points, double still)
   {
-    std::unique_ptr<Reference_surface> boundary;
     const bool is_first = links_.empty();
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      Link& link = links_[i];
-      if (!is_first && !has_moved(link, found_at_[i], points, still))
-        continue;
-      if (!boundary) {
-        boundary = boundary_as_reference(complex_, points, !is_first);
-        if (boundary->is_empty()) {
-          links_.clear();
-          return links_;
-        }
+    now_ = nullptr;
+    if (is_first || !is_known(points)) {
+      known_ = boundary_as_reference(complex_, points, !is_first);
+      nearby_.reset(samples_.size());
+      fast_ = nullptr;
+      if (known_->is_empty()) {
+        links_.clear();
+        return links_;
       }
-      const Vector_3& sample = samples_[i].point;
-      const Surface_point foot = boundary->closest_point(sample, is_first ? Reference_surface::no_hint : link.hint);
-      const double distance = (foot.point - sample).norm();
-      link = {boundary->triangles[foot.triangle], foot.coordinates, sample, samples_[i].area, distance,
-              distance > coincidence ? Vector_3((foot.point - sample) / distance) : foot.normal, foot.hint};
-      for (int k = 0; k < 3; ++k)
-        found_at_[i][k] = points[link.vertices[k]];
     }
+    for_ranges(samples_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
+        if (links_[i].is_new)
+          find_link(i, points, is_first);
+      }
+    }, 256);
     return links_;
   }
 
@@ -96,10 +99,81 @@ private:
     return false;
   }
 
+  void find_link(std::size_t i, const Positions& points, bool is_first)
+  {
+    const Vector_3& sample = samples_[i].point;
+    const Surface_point foot = is_first ? known_->closest_point(sample) : closest(i, points);
+    const Triangle_indices& t = known_->triangles[foot.triangle];
+    const double distance = (foot.point - sample).norm();
+    Link& link = links_[i];
+    link = {t, foot.coordinates, sample, samples_[i].area, distance, foot.triangle, true, Vector_3::Zero()};
+    if (distance > coincidence)
+      link.direction = (foot.point - sample) / distance;
+    else if (is_first)
+      link.direction = known_->normal(foot.triangle, foot.coordinates);
+    else
+      link.direction = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
+    for (int k = 0; k < 3; ++k)
+      found_at_[i][k] = points[link.vertices[k]];
+  }
+
+  // Whether most triangles are where known_ has them. Those that are not become fast_.
+  bool is_known(const Positions& points)
+  {
+    std::vector<char> is_fast(points.size());
+    for (std::size_t v = 0; v < points.size(); ++v)
+      is_fast[v] = (points[v] - known_->points[v]).squaredNorm() > Nearby_triangles::margin * Nearby_triangles::margin;
+    fast_triangles_.clear();
+    std::vector<Triangle_indices> triangles;
+    for (std::size_t t = 0; t < known_->triangles.size(); ++t) {
+      const Triangle_indices& vertices = known_->triangles[t];
+      if (is_fast[vertices[0]] || is_fast[vertices[1]] || is_fast[vertices[2]]) {
+        fast_triangles_.push_back(t);
+        triangles.push_back(vertices);
+      }
+    }
+    if (4 * triangles.size() > known_->triangles.size())
+      return false;
+    fast_ = triangles.empty() ? nullptr : std::make_unique<Reference_surface>(points, std::move(triangles), true);
+    return true;
+  }
+
+  // The point of the boundary closest to sample i: one of the triangles near where it was, or a fast one.
+  Surface_point closest(std::size_t i, const Positions& points)
+  {
+    const Vector_3& sample = samples_[i].point;
+    const double margin = Nearby_triangles::margin;
+    std::optional<Surface_point> foot = nearby_.closest(i, sample, points, known_->triangles, margin);
+    if (!foot) {
+      const Surface_point before = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
+      if (nearby_.list(i, sample, (before.point - sample).norm(), *known_))
+        foot = nearby_.closest(i, sample, points, known_->triangles, margin);
+      if (!foot) {
+        {
+          const std::lock_guard<std::mutex> lock(now_mutex_);
+          if (!now_)
+            now_ = boundary_as_reference(complex_, points, true);
+        }
+        return now_->closer_point(sample, before.point).value_or(before);
+      }
+    }
+    if (fast_)
+      if (std::optional<Surface_point> closer = fast_->closer_point(sample, foot->point)) {
+        closer->triangle = fast_triangles_[closer->triangle];
+        return *closer;
+      }
+    return *foot;
+  }
+
   const Hexahedral_complex& complex_;
   std::vector<Surface_sample> samples_;
   std::vector<Link> links_;
-  std::vector<std::array<Vector_3, 3>> found_at_; // the vertices of each link
+  std::vector<std::array<Vector_3, 3>> found_at_;   // the vertices of each link
+  std::unique_ptr<Reference_surface> known_;        // the boundary as it was when nearby_ was reset
+  Nearby_triangles nearby_;                         // to each sample
+  std::vector<std::size_t> fast_triangles_;         // those that have moved too far since then
+  std::mutex now_mutex_;                            // of the first that needs now_
+  std::unique_ptr<Reference_surface> fast_, now_;   // they, and the boundary, where they are now, if needed
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

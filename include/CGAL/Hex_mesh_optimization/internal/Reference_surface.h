@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,21 @@ using Segment_traits = CGAL::AABB_traits<Kernel, CGAL::AABB_segment_primitive<Ke
 
 inline Kernel::Point_3 point(const Vector_3& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
 inline Vector_3 vector(const Kernel::Point_3& p) { return Vector_3(p.x(), p.y(), p.z()); }
+
+// Traversal traits that visit all primitives whose bounding boxes may overlap a box.
+template <class Visit>
+struct Box_traversal
+{
+  const Visit& visit;
+
+  bool go_further() const { return true; }
+
+  template <class Primitive>
+  void intersection(const CGAL::Bbox_3&, const Primitive& primitive) const { visit(primitive.id()); }
+
+  template <class Node>
+  bool do_intersect(const CGAL::Bbox_3& box, const Node& node) const { return CGAL::do_overlap(box, node.bbox()); }
+};
 
 } // namespace aabb
 
@@ -215,17 +231,45 @@ public:
     const auto found = hint < soup_.size()
                          ? tree_.closest_point_and_primitive(q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q), soup_.begin() + hint})
                          : tree_.closest_point_and_primitive(q);
-    const std::size_t place = found.second - soup_.begin();
-    Surface_point result{aabb::vector(found.first), Vector_3::Zero(), {}, index_[place], place};
-    const std::size_t t = result.triangle;
-    const Vector_3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = result.point - corner(t, 0);
-    const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
-    const double b = (vv * u.dot(w) - uv * v.dot(w)) / determinant, c = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
-    result.coordinates = {1 - b - c, b, c};
+    return surface_point(found);
+  }
+
+  // The point closest to the query, if it is closer than the given one.
+  std::optional<Surface_point> closer_point(const Vector_3& query, const Vector_3& given) const
+  {
+    if (is_empty())
+      return std::nullopt;
+    const aabb::Kernel::Point_3 bound = aabb::point(given);
+    const auto found = tree_.closest_point_and_primitive(aabb::point(query), {bound, soup_.begin()});
+    if (found.first == bound)
+      return std::nullopt;
+    return surface_point(found);
+  }
+
+  // At a point of a triangle that is not degenerate, given by barycentric coordinates.
+  Vector_3 normal(std::size_t triangle, const std::array<double, 3>& coordinates) const
+  {
+    Vector_3 sum = Vector_3::Zero();
     for (int k = 0; k < 3 && !normals_.empty(); ++k)
-      result.normal += result.coordinates[k] * normals_[3 * t + k];
-    result.normal = result.normal.norm() > 1e-6 ? result.normal.normalized() : u.cross(v).normalized();
-    return result;
+      sum += coordinates[k] * normals_[3 * triangle + k];
+    const double length = sum.norm();
+    if (length > 1e-6)
+      return sum / length;
+    return (corner(triangle, 1) - corner(triangle, 0)).cross(corner(triangle, 2) - corner(triangle, 0)).normalized();
+  }
+
+  // Calls visit(triangle) for those that are not degenerate and whose bounding boxes overlap that of a ball.
+  template <class Visit>
+  void for_triangles_near(const Vector_3& center, double radius, const Visit& visit) const
+  {
+    const Vector_3 low = center.array() - radius, high = center.array() + radius;
+    const CGAL::Bbox_3 box(low[0], low[1], low[2], high[0], high[1], high[2]);
+    const auto visit_primitive = [&](const aabb::Triangle_iterator& triangle) {
+      if (CGAL::do_overlap(box, triangle->bbox()))
+        visit(index_[triangle - soup_.begin()]);
+    };
+    aabb::Box_traversal<decltype(visit_primitive)> traversal{visit_primitive};
+    tree_.traversal(box, traversal);
   }
 
   const Vector_3& corner(std::size_t triangle, int k) const { return points[triangles[triangle][k]]; }
@@ -236,6 +280,16 @@ public:
   std::vector<int> corners; // vertices where curves meet, end or turn sharply
 
 private:
+  Surface_point surface_point(const std::pair<aabb::Kernel::Point_3, aabb::Triangle_iterator>& found) const
+  {
+    const std::size_t place = found.second - soup_.begin(), t = index_[place];
+    const Vector_3 point = aabb::vector(found.first);
+    const Vector_3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = point - corner(t, 0);
+    const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
+    const double b = (vv * u.dot(w) - uv * v.dot(w)) / determinant, c = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
+    return {point, normal(t, {1 - b - c, b, c}), {1 - b - c, b, c}, t, place};
+  }
+
   void add(const aabb::Kernel::Triangle_3& triangle, std::size_t index)
   {
     soup_.push_back(triangle);

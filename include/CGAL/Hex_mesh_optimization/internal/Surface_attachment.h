@@ -9,20 +9,25 @@
 // its feature curves, which pull from the other side.
 
 #include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/Conflict_free_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/Distance_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/Nearby_triangles.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_pull.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/deviation.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +41,7 @@ struct Attachment_sample
   std::array<int, 4> vertices;
   std::array<double, 4> shares;
   int count; // of the vertices
+  int face;  // of the boundary, that has them all
   double weight;
   Vertex_kind kind;
   int curve;
@@ -64,18 +70,21 @@ public:
   Surface_attachment(const Hexahedral_complex& complex, const Reference_surface& surface, const Boundary_attachment& attachment,
                      const std::vector<double>& lengths, bool trusted, const Maximization_parameters& parameters)
     : parameters_(parameters)
+    , complex_(complex)
     , surface_(surface)
     , attachment_(attachment)
     , pull_(complex, surface, parameters.reference_spacing)
     , scale_(mean_boundary_lengths(complex, lengths))
     , curve_edges_(surface.curves.size())
-    , curve_samples_(surface.curves.size())
+    , face_ranges_(complex.boundary_faces.size(), complex.number_of_vertices(), faces_of_range,
+                   [&](std::size_t f) -> const std::array<int, 4>& { return complex.boundary_faces[f].vertices; })
   {
     const double typical = parameters.typical_edge * bounding_box_diagonal(surface); // in mean boundary edges, which are 1
     energy_ = {parameters.attachment_weight / std::pow(typical, parameters.size_exponent) * (trusted ? parameters.trust : 1), parameters.linear_distance,
                parameters.steep_weight, parameters.steep_distance * std::sqrt(typical)};
     add_samples(complex);
     own_count_ = samples_.size();
+    nearby_.reset(own_count_);
     queried_at_.assign(own_count_, Vector_3::Constant(std::numeric_limits<double>::infinity()));
     spread_over_curves(complex);
   }
@@ -85,74 +94,82 @@ public:
   // Finds the targets of all samples from the present positions. What has hardly moved keeps its own.
   void update(const Positions& points)
   {
-    for (std::size_t i = 0; i < own_count_; ++i) {
-      const Vector_3 p = samples_[i].place(points);
-      const double still = parameters_.still_distance * samples_[i].scale;
-      if ((p - queried_at_[i]).squaredNorm() < still * still)
-        continue;
-      queried_at_[i] = p;
-      aim(samples_[i], p);
-    }
-    std::vector<double> strains; // those of pulling samples outlive their links, whose order does not change
-    for (std::size_t i = own_count_; i < samples_.size(); ++i)
-      strains.push_back(samples_[i].strain);
-    samples_.resize(own_count_);
-    for (const Reference_pull::Link& link : pull_.update(points, parameters_.still_distance)) {
-      Attachment_sample& s = add({{link.vertices[0], link.vertices[1], link.vertices[2]},
-                                  {link.weights[0], link.weights[1], link.weights[2]},
-                                  3, parameters_.pull_weight, Vertex_kind::SURFACE, -1});
-      s.weight *= link.area / (s.scale * s.scale);
-      s.target = link.sample;
-      s.projector = link.direction * link.direction.transpose();
-    }
-    for (std::size_t c = 0; c < curve_samples_.size(); ++c)
-      if (!curve_edges_[c].empty())
-        for (const Vector_3& sample : curve_samples_[c]) {
-          Attachment_sample& s = add(nearest_point(points, curve_edges_[c], sample));
-          s.target = sample;
-          s.projector = direction_projector(s.place(points) - sample, Vector_3::UnitX());
-        }
-    if (strains.size() == samples_.size() - own_count_)
-      for (std::size_t i = 0; i < strains.size(); ++i)
-        samples_[own_count_ + i].strain = strains[i];
+    for_ranges(own_count_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vector_3 p = samples_[i].place(points);
+        const double still = parameters_.still_distance * samples_[i].scale;
+        if ((p - queried_at_[i]).squaredNorm() < still * still)
+          continue;
+        queried_at_[i] = p;
+        aim(i, p);
+      }
+    }, 256);
+    const std::vector<Reference_pull::Link>& links = pull_.update(points, parameters_.still_distance);
+    samples_.resize(own_count_ + links.size() + curve_samples_.size()); // the same number each time, so that strains are kept
+    for_ranges(links.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (links[i].is_new)
+          follow(links[i], samples_[own_count_ + i]);
+    });
+    for_ranges(curve_samples_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        follow(points, curve_samples_[i], samples_[own_count_ + links.size() + i]);
+    }, 64);
     if (std::isfinite(parameters_.maximum_deviation))
       strain(points);
+    of_face_ = Grouped_array(complex_.boundary_faces.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
+                             [](std::size_t i) { return static_cast<int>(i); });
   }
 
   double energy(const Positions& points) const
   {
-    double sum = 0;
-    for (const Attachment_sample& s : samples_)
-      sum += s.weight * s.strain * energy_.value(s.offset(points).norm() / s.scale);
-    return tightness * sum;
+    return tightness * sum_of_ranges(samples_.size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Attachment_sample& s = samples_[i];
+        sum += s.weight * s.strain * energy_.value(s.offset(points).norm() / s.scale);
+      }
+      return sum;
+    });
   }
 
   // Adds gradient and a positive semi-definite model of the Hessian.
   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
-    for (const Attachment_sample& s : samples_) {
-      const Vector_3 offset = s.offset(points);
-      const double square = s.scale * s.scale, weight = tightness * s.weight * s.strain / square;
-      const Distance_energy::Derivatives e = energy_.derivatives(offset.norm() / s.scale);
-      const Matrix_3 hessian = weight * (e.slope * s.projector + e.growth / square * offset * offset.transpose());
-      for (int i = 0; i < s.count; ++i) {
-        gradient[s.vertices[i]] += weight * e.slope * s.shares[i] * offset;
-        for (int j = 0; j <= i; ++j)
-          matrix.add(s.vertices[i], s.vertices[j], s.shares[i] * s.shares[j] * hessian);
-      }
-    }
+    face_ranges_.for_ranges([&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        add_derivatives(f, points, gradient, matrix);
+    });
   }
 
   // The farthest that a sample is from its target.
   double largest_distance(const Positions& points) const
   {
     double largest = 0;
-    for (const Attachment_sample& s : samples_)
-      largest = (std::max)(largest, s.offset(points).squaredNorm());
+    for (double of_range : results_of_ranges<double>(samples_.size(), [&](std::size_t begin, std::size_t end) {
+           double square = 0;
+           for (std::size_t i = begin; i < end; ++i)
+             square = (std::max)(square, samples_[i].offset(points).squaredNorm());
+           return square;
+         }))
+      largest = (std::max)(largest, of_range);
     return std::sqrt(largest);
   }
 
 private:
+  // Of the mesh, with one of the faces beside it.
+  struct Curve_edge
+  {
+    std::array<int, 2> vertices;
+    int face;
+  };
+
+  struct Curve_sample
+  {
+    Vector_3 point;
+    std::size_t curve;
+  };
+
   // Of the boundary edges around each boundary vertex.
   static std::vector<double> mean_boundary_lengths(const Hexahedral_complex& complex, const std::vector<double>& lengths)
   {
@@ -167,29 +184,91 @@ private:
     return sum;
   }
 
-  Attachment_sample& add(const Attachment_sample& sample)
+  static constexpr std::size_t faces_of_range = 64;
+
+  // Samples share faces, so that the matrix is visited once for all of one face.
+  void add_derivatives(std::size_t f, const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
-    samples_.push_back(sample);
-    Attachment_sample& s = samples_.back();
+    const std::array<int, 4>& corners = complex_.boundary_faces[f].vertices;
+    Matrix_3 blocks[4][4];
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j <= i; ++j)
+        blocks[i][j].setZero();
+    for (int sample : of_face_[f]) {
+      const Attachment_sample& s = samples_[sample];
+      const Vector_3 offset = s.offset(points);
+      const double square = s.scale * s.scale, weight = tightness * s.weight * s.strain / square;
+      const Distance_energy::Derivatives e = energy_.derivatives(offset.norm() / s.scale);
+      const Matrix_3 hessian = weight * (e.slope * s.projector + e.growth / square * offset * offset.transpose());
+      double shares[4] = {0, 0, 0, 0};
+      for (int k = 0; k < s.count; ++k)
+        shares[std::find(corners.begin(), corners.end(), s.vertices[k]) - corners.begin()] = s.shares[k];
+      for (int i = 0; i < 4; ++i) {
+        if (shares[i] == 0)
+          continue;
+        gradient[corners[i]] += weight * e.slope * shares[i] * offset;
+        for (int j = 0; j <= i; ++j)
+          if (shares[j] != 0)
+            blocks[i][j] += shares[i] * shares[j] * hessian;
+      }
+    }
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j <= i; ++j)
+        matrix.add(corners[i], corners[j], blocks[i][j]);
+  }
+
+  // Gives a sample the weight that follows from what it is on.
+  void weigh(Attachment_sample& s) const
+  {
+    s.scale = 0;
     for (int k = 0; k < s.count; ++k)
       s.scale += scale_[s.vertices[k]] / s.count;
     s.weight *= s.scale * s.scale * s.scale;
     if (s.kind != Vertex_kind::SURFACE)
       s.weight *= parameters_.feature_weight;
-    return s;
+  }
+
+  void add(const Attachment_sample& sample)
+  {
+    samples_.push_back(sample);
+    weigh(samples_.back());
+  }
+
+  // A sample of the reference pulls the point of the boundary that it is linked to.
+  void follow(const Reference_pull::Link& link, Attachment_sample& s) const
+  {
+    const double strain = s.strain; // outlives the link
+    s = {{link.vertices[0], link.vertices[1], link.vertices[2], -1}, {link.weights[0], link.weights[1], link.weights[2], 0}, 3,
+         static_cast<int>(link.triangle / 2), parameters_.pull_weight, Vertex_kind::SURFACE, -1};
+    weigh(s);
+    s.weight *= link.area / (s.scale * s.scale);
+    s.target = link.sample;
+    s.projector = link.direction * link.direction.transpose();
+    s.strain = strain;
+  }
+
+  // A sample of a feature curve pulls the nearest point of the edges that represent the curve.
+  void follow(const Positions& points, const Curve_sample& sample, Attachment_sample& s) const
+  {
+    const double strain = s.strain;
+    s = nearest_point(points, curve_edges_[sample.curve], sample.point);
+    weigh(s);
+    s.target = sample.point;
+    s.projector = direction_projector(s.place(points) - sample.point, Vector_3::UnitX());
+    s.strain = strain;
   }
 
   void add_samples(const Hexahedral_complex& complex)
   {
     for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
       if (complex.is_on_boundary[v] && attachment_.kind[v] != Vertex_kind::FIXED)
-        add({{static_cast<int>(v)}, {1.0}, 1, 1.0, attachment_.kind[v], attachment_.curve[v]});
-    for (const Hexahedral_complex::Boundary_face& f : complex.boundary_faces)
-      add({f.vertices, {.25, .25, .25, .25}, 4, 1.0, Vertex_kind::SURFACE, -1});
+        add({{static_cast<int>(v)}, {1.0}, 1, complex.vertex_boundary_faces[v][0], 1.0, attachment_.kind[v], attachment_.curve[v]});
+    for (std::size_t f = 0; f < complex.boundary_faces.size(); ++f)
+      add({complex.boundary_faces[f].vertices, {.25, .25, .25, .25}, 4, static_cast<int>(f), 1.0, Vertex_kind::SURFACE, -1});
     for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges) {
       const std::array<int, 2>& ends = complex.edges[e.edge];
       const int curve = attachment_.curve_of_edge[e.edge];
-      add({{ends[0], ends[1]}, {.5, .5}, 2, parameters_.edge_sample_weight,
+      add({{ends[0], ends[1]}, {.5, .5}, 2, e.left, parameters_.edge_sample_weight,
            curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE, curve});
     }
   }
@@ -198,20 +277,21 @@ private:
   {
     for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
       if (attachment_.curve_of_edge[e.edge] >= 0)
-        curve_edges_[attachment_.curve_of_edge[e.edge]].push_back(complex.edges[e.edge]);
-    for (std::size_t c = 0; c < curve_samples_.size(); ++c) {
+        curve_edges_[attachment_.curve_of_edge[e.edge]].push_back({complex.edges[e.edge], e.left});
+    for (std::size_t c = 0; c < surface_.curves.size(); ++c) {
       const std::vector<int>& v = surface_.curves[c]->vertices;
-      for (std::size_t i = 0; i + 1 < v.size(); ++i) {
+      for (std::size_t i = 0; i + 1 < v.size() && !curve_edges_[c].empty(); ++i) {
         const Vector_3 &a = surface_.points[v[i]], &b = surface_.points[v[i + 1]];
         const int n = static_cast<int>(std::ceil((b - a).norm() / parameters_.reference_spacing));
         for (int k = 0; k < n; ++k)
-          curve_samples_[c].push_back(a + (double(k) / n) * (b - a));
+          curve_samples_.push_back({a + (double(k) / n) * (b - a), c});
       }
     }
   }
 
-  void aim(Attachment_sample& s, const Vector_3& p) const
+  void aim(std::size_t i, const Vector_3& p)
   {
+    Attachment_sample& s = samples_[i];
     if (s.kind == Vertex_kind::CORNER) {
       s.target = attachment_.corner[s.vertices[0]];
       s.projector = Matrix_3::Identity();
@@ -222,26 +302,31 @@ private:
       s.projector = Matrix_3::Identity() - c.tangent * c.tangent.transpose();
     }
     else {
-      const Surface_point q = surface_.closest_point(p, s.hint);
-      s.hint = q.hint;
-      s.target = q.point;
-      s.projector = direction_projector(p - q.point, q.normal);
+      std::optional<Surface_point> q = nearby_.closest(i, p, surface_.points, surface_.triangles, 0);
+      if (!q) {
+        q = surface_.closest_point(p, s.hint);
+        s.hint = q->hint;
+        nearby_.list(i, p, (q->point - p).norm(), surface_);
+      }
+      s.target = q->point;
+      s.projector = direction_projector(p - q->point, surface_.normal(q->triangle, q->coordinates));
     }
   }
 
   // The point of some edges nearest to a sample of the curve that they represent.
-  Attachment_sample nearest_point(const Positions& points, const std::vector<std::array<int, 2>>& edges, const Vector_3& sample) const
+  Attachment_sample nearest_point(const Positions& points, const std::vector<Curve_edge>& edges, const Vector_3& sample) const
   {
-    Attachment_sample best{{edges[0][0], edges[0][1]}, {1, 0}, 2, parameters_.curve_pull_weight, Vertex_kind::FEATURE, -1};
+    Attachment_sample best{{}, {}, 2, -1, parameters_.curve_pull_weight, Vertex_kind::FEATURE, -1};
     double nearest = std::numeric_limits<double>::infinity();
-    for (const std::array<int, 2>& e : edges) {
-      const Vector_3 &a = points[e[0]], along = points[e[1]] - a;
+    for (const Curve_edge& e : edges) {
+      const Vector_3 &a = points[e.vertices[0]], along = points[e.vertices[1]] - a;
       const double t = (std::max)(0.0, (std::min)(1.0, along.dot(sample - a) / along.squaredNorm()));
       const double d = (a + t * along - sample).squaredNorm();
-      if (d < nearest) {
+      if (d < nearest || best.face < 0) {
         nearest = d;
-        best.vertices = {e[0], e[1]};
+        best.vertices = {e.vertices[0], e.vertices[1]};
         best.shares = {1 - t, t};
+        best.face = e.face;
       }
     }
     return best;
@@ -262,6 +347,7 @@ private:
   }
 
   const Maximization_parameters parameters_;
+  const Hexahedral_complex& complex_;
   const Reference_surface& surface_;
   const Boundary_attachment& attachment_;
   Distance_energy energy_;
@@ -270,8 +356,11 @@ private:
   std::vector<Attachment_sample> samples_;                   // own ones first, then those of the reference
   std::size_t own_count_ = 0;
   Positions queried_at_;                                     // where each own sample was when its target was found
-  std::vector<std::vector<std::array<int, 2>>> curve_edges_; // of the mesh, that represent each curve
-  std::vector<Positions> curve_samples_;
+  Nearby_triangles nearby_;                                  // of the reference, to each own sample
+  std::vector<std::vector<Curve_edge>> curve_edges_;         // that represent each curve
+  std::vector<Curve_sample> curve_samples_;                  // of the curves that are represented
+  Grouped_array of_face_;                                    // the samples of each boundary face
+  const Conflict_free_ranges face_ranges_;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -11,7 +11,8 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Corner_model.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
@@ -30,41 +31,32 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// ⅓ Σ |e_i|²/l_i² / χ^⅔ with χ = ½ (D + √(ε² + D²)), D = det / l_0 l_1 l_2: the mean ratio at ε = 0, D > 0.
+// The mean ratio with χ = ½ (D + √(ε² + D²)) in the place of D = det / l_0 l_1 l_2: itself at ε = 0, D > 0.
 struct Regularized_mean_ratio
 {
-  double squares, chi, chi_slope; // Σ |e_i|²/l_i², χ and dχ/dD
+  double r[3], squares; // |e_i|²/l_i² and their sum
+  double volume;        // |e_0| |e_1| |e_2| / l_0 l_1 l_2
+  double chi, chi_slope; // χ and dχ/dD
 
-  Regularized_mean_ratio(const Corner& corner, const double* l, double squared_epsilon)
-    : squares(0)
+  Regularized_mean_ratio(const Edge_ratios<double>& ratios, int corner, double scaled_jacobian, double squared_epsilon)
   {
-    for (int i = 0; i < 3; ++i)
-      squares += corner.squared_length[i] / (l[i] * l[i]);
-    const double D = relative_determinant(corner, l), root = std::sqrt(squared_epsilon + D * D);
+    for (int k = 0; k < 3; ++k)
+      r[k] = ratios.square[corner_edges[corner][k] / 2];
+    squares = r[0] + r[1] + r[2];
+    volume = std::sqrt(r[0]) * std::sqrt(r[1]) * std::sqrt(r[2]);
+    const double D = volume * scaled_jacobian, root = std::sqrt(squared_epsilon + D * D);
     // the difference of nearly equal numbers, where D < 0
     chi = D > 0 ? (D + root) / 2 : squared_epsilon / (2 * (root - D));
     chi_slope = chi / root;
   }
 
-  static double relative_determinant(const Corner& corner, const double* l) { return corner.determinant / (l[0] * l[1] * l[2]); }
-
   double value() const { return squares / 3 / std::cbrt(chi * chi); }
 
-  // As for the mean ratio, with c_i = ∂ log χ / ∂e_i.
-  void derivatives(const Corner& corner, const double* l, Corner_derivatives& d) const
+  // As that of the mean ratio, with χ in the place of the determinant.
+  Corner_model<double> model(const Corner_frame<double>& corner) const
   {
-    const double b = 1 / std::cbrt(chi * chi), m = squares / 3 * b, volume = l[0] * l[1] * l[2];
-    Vector_3 c[3], v[3];
-    for (int i = 0; i < 3; ++i) {
-      c[i] = corner.edge[(i + 1) % 3].cross(corner.edge[(i + 2) % 3]) * (chi_slope / (chi * volume));
-      v[i] = corner.edge[i] / (l[i] * l[i]);
-      d.gradient[i] = 2.0 / 3 * (b * v[i] - m * c[i]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      for (int j = i; j < 3; ++j)
-        d.hessian[i][j] = -4.0 / 9 * b * (v[i] * c[j].transpose() + c[i] * v[j].transpose()) + 10.0 / 9 * m * c[i] * c[j].transpose();
-      d.hessian[i][i].diagonal().array() += 2.0 / 3 * b / (l[i] * l[i]);
-    }
+    const double m = value();
+    return Corner_model<double>(corner, chi_slope * volume / chi, r, 0, 0, m, 3 * m / squares, 0, 0, 0);
   }
 };
 
@@ -78,7 +70,7 @@ public:
     , parameters_(parameters)
     , attachment_(attachment)
     , matrix_(complex)
-    , lengths_(hexahedron_lengths(complex, lengths))
+    , lengths_(lengths)
     , is_fixed_(is_fixed)
   {}
 
@@ -109,24 +101,28 @@ public:
   }
 
 private:
+  // Calls visit(frame, ratios) for every hexahedron. In double: nothing bounds what comes in tangled.
   template <class Visit>
-  void for_corners(const Positions& points, const Visit& visit) const
+  void for_hexahedra(const Positions& points, const Visit& visit) const
   {
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
-      const std::array<Vector_3, 8> x = hexahedron_corners(points, complex_.hexahedra[h]);
-      for (int c = 0; c < 8; ++c) {
-        double target[3];
-        corner_targets(lengths_[h], c, target);
-        visit(h, c, corner_at(x.data(), c), target);
-      }
+      double vectors[12][3], inverse_targets[12];
+      edge_vectors(points, complex_.hexahedra[h], vectors);
+      for (int k = 0; k < 12; ++k)
+        inverse_targets[k] = 1 / lengths_[complex_.hexahedron_edges[h][k] / 2];
+      const Hexahedron_frame<double> frame(vectors);
+      visit(h, frame, Edge_ratios<double>(frame, inverse_targets));
     }
   }
 
   double lowest_determinant(const Positions& points) const
   {
     double lowest = 1;
-    for_corners(points, [&](std::size_t, int, const Corner& corner, const double* target) {
-      lowest = (std::min)(lowest, Regularized_mean_ratio::relative_determinant(corner, target));
+    for_hexahedra(points, [&](std::size_t, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
+      for (int c = 0; c < 8; ++c) {
+        const double s = Corner_frame<double>(frame, c).scaled_jacobian;
+        lowest = (std::min)(lowest, s * Regularized_mean_ratio(ratios, c, s, 1).volume);
+      }
     });
     return lowest;
   }
@@ -134,29 +130,23 @@ private:
   double value(const Positions& points) const
   {
     double sum = attachment_.energy(points);
-    for_corners(points, [&](std::size_t, int, const Corner& corner, const double* target) {
-      sum += Regularized_mean_ratio(corner, target, squared_epsilon_).value();
+    for_hexahedra(points, [&](std::size_t, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
+      for (int c = 0; c < 8; ++c)
+        sum += Regularized_mean_ratio(ratios, c, Corner_frame<double>(frame, c).scaled_jacobian, squared_epsilon_).value();
     });
     return sum;
   }
 
   void assemble(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
-    std::array<Vector_3, 8> g;
-    Block_matrix::Hexahedron_blocks H;
-    Corner_derivatives d;
-    for_corners(points, [&](std::size_t h, int c, const Corner& corner, const double* target) {
-      if (c == 0) {
-        g.fill(Vector_3::Zero());
-        H.fill(Matrix_3::Zero());
+    Hexahedron_derivatives<double> d;
+    for_hexahedra(points, [&](std::size_t h, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
+      d.set_zero();
+      for (int c = 0; c < 8; ++c) {
+        const Corner_frame<double> corner(frame, c);
+        d.add(c, frame, corner, Regularized_mean_ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_).model(corner));
       }
-      Regularized_mean_ratio(corner, target, squared_epsilon_).derivatives(corner, target, d);
-      add_corner(c, d, g, H);
-      if (c == 7) {
-        for (int i = 0; i < 8; ++i)
-          gradient[complex_.hexahedra[h][i]] += g[i];
-        matrix.add(h, H);
-      }
+      add_derivatives(complex_.hexahedra, h, d, 0, gradient, matrix);
     });
     attachment_.add_derivatives(points, gradient, matrix);
   }
@@ -165,7 +155,7 @@ private:
   const Maximization_parameters parameters_;
   Surface_attachment& attachment_;
   Block_matrix matrix_;
-  const std::vector<Hexahedron_lengths> lengths_;
+  const std::vector<double> lengths_; // targets of the edges
   const std::vector<char> is_fixed_;
   double squared_epsilon_ = 0;
 };

@@ -8,11 +8,12 @@
 // search sees sums only.
 
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/Lanes.h>
+#include <CGAL/Hex_mesh_optimization/internal/Corner_model.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,29 +21,34 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// Halves the step at the vertices of hexahedra that have a scaled Jacobian below least[h] after it, again and again, up
-// to `rounds` times. O(rounds · hexahedra).
-inline void hold_back(const Hexahedral_complex& complex, const Positions& points, const std::vector<double>& least, int rounds,
-                      Positions& step)
+// Halves the step at the vertices of hexahedra that have a scaled Jacobian below what is given for them after it, again
+// and again, up to `rounds` times. O(rounds · hexahedra).
+inline void hold_back(const Hexahedral_complex& complex, const Hexahedron_batches& batches, const Positions& points,
+                      const Batched_values<1>& least, int rounds, Positions& step)
 {
-  std::vector<char> is_held_back(points.size());
+  std::vector<char> is_too_low(complex.hexahedra.size());
+  Positions reached(points.size());
   for (int round = 0; round < rounds; ++round) {
-    std::fill(is_held_back.begin(), is_held_back.end(), false);
+    for_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        reached[v] = points[v] + step[v];
+    });
+    batches.for_each([&](std::size_t i) {
+      const Hexahedron_frame<Lanes> frame = batches.frame(i, reached);
+      Lanes lowest = Corner_frame<Lanes>(frame, 0).scaled_jacobian;
+      for (int c = 1; c < 8; ++c)
+        lowest = smaller(Corner_frame<Lanes>(frame, c).scaled_jacobian, lowest);
+      for (int l = 0; l < batches.number_of_hexahedra(i); ++l)
+        is_too_low[batches.first_hexahedron(i) + l] = !(lane(lowest, l) >= lane(*least.batch(i), l));
+    });
+    std::vector<char> is_held_back(points.size(), false);
     bool are_some_held_back = false;
-    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
-      const Hexahedron& hexahedron = complex.hexahedra[h];
-      std::array<Vector_3, 8> x = hexahedron_corners(points, hexahedron);
-      for (int i = 0; i < 8; ++i)
-        x[i] += step[hexahedron[i]];
-      bool is_too_low = false;
-      for (int i = 0; i < 8 && !is_too_low; ++i)
-        is_too_low = !(corner_at(x.data(), i).scaled_jacobian >= least[h]);
-      if (!is_too_low)
-        continue;
-      for (int v : hexahedron)
-        is_held_back[v] = true;
-      are_some_held_back = true;
-    }
+    for (std::size_t h = 0; h < is_too_low.size(); ++h)
+      if (is_too_low[h]) {
+        for (int v : complex.hexahedra[h])
+          is_held_back[v] = true;
+        are_some_held_back = true;
+      }
     if (!are_some_held_back)
       return;
     for (std::size_t v = 0; v < step.size(); ++v)
