@@ -54,7 +54,8 @@ inline Deviation deviation(const Hexahedral_complex& complex, const Positions& p
   if (boundary->is_empty() || reference.is_empty())
     return result;
   extend_deviation(*boundary, reference, spacing, result);
-  extend_deviation(reference, *boundary, spacing, result);
+  extend_deviation(reference, *boundary,
+                   bounded_spacing(reference.points, reference.triangles, complex.boundary_faces.size(), spacing), result);
   const double diagonal = bounding_box_diagonal(reference);
   result.average_relative = result.average / diagonal;
   result.maximum_relative = result.maximum / diagonal;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -23,6 +24,19 @@ struct Surface_sample
   double area; // that the sample stands for; 0 for vertices
   int vertex;  // -1 within a triangle
 };
+
+// The spacing, or the larger one for a surface that is many times as large as what it is compared with: its samples
+// remain in proportion to the boundary of the mesh then, not to the surface. In units of the mean edge of the boundary.
+inline double bounded_spacing(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                              std::size_t number_of_boundary_faces, double spacing)
+{
+  const double most_area = 4; // for each face of the boundary, where 1 is about what there is
+  double area = 0;
+  for (const Triangle_indices& t : triangles)
+    area += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
+  const double ratio = area / (most_area * double(number_of_boundary_faces));
+  return ratio > 1 ? spacing * std::sqrt(ratio) : spacing;
+}
 
 // The vertices, and in every triangle the centers of a lattice of n² equal parts
 // with edges of about the given length.
