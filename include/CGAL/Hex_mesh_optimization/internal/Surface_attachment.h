@@ -200,7 +200,7 @@ private:
       if (attachment_.curve_of_edge[e.edge] >= 0)
         curve_edges_[attachment_.curve_of_edge[e.edge]].push_back(complex.edges[e.edge]);
     const double spacing =
-      bounded_spacing(surface_.points, surface_.triangles, complex.boundary_faces.size(), parameters_.reference_spacing);
+      parameters_.reference_spacing * std::sqrt(oversize(surface_.points, surface_.triangles, complex.boundary_faces.size()));
     const double most = 16. * double(complex.boundary_edges.size()); // far more than a curve of the size of the mesh takes
     for (std::size_t c = 0; c < curve_samples_.size(); ++c) {
       const std::vector<int>& v = surface_.curves[c]->vertices;

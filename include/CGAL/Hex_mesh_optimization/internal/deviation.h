@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 
 namespace CGAL {
@@ -32,10 +33,11 @@ inline double bounding_box_diagonal(const Reference_surface& surface)
 }
 
 // Distances from points spread over one surface to the other. O(samples · log triangles).
-inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, double spacing, Deviation& deviation)
+inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, std::size_t number_of_boundary_faces,
+                             double spacing, Deviation& deviation)
 {
   double sum = 0, weight = 0, largest = 0;
-  for (const Surface_sample& sample : spread_samples(from.points, from.triangles, spacing)) {
+  for (const Surface_sample& sample : spread_samples(from.points, from.triangles, number_of_boundary_faces, spacing)) {
     const double distance = (to.closest_point(sample.point).point - sample.point).norm();
     sum += sample.area * distance;
     weight += sample.area;
@@ -53,9 +55,9 @@ inline Deviation deviation(const Hexahedral_complex& complex, const Positions& p
   const std::unique_ptr<Reference_surface> boundary = boundary_as_reference(complex, points);
   if (boundary->is_empty() || reference.is_empty())
     return result;
-  extend_deviation(*boundary, reference, spacing, result);
-  extend_deviation(reference, *boundary,
-                   bounded_spacing(reference.points, reference.triangles, complex.boundary_faces.size(), spacing), result);
+  const std::size_t faces = complex.boundary_faces.size();
+  extend_deviation(*boundary, reference, faces, spacing, result);
+  extend_deviation(reference, *boundary, faces, spacing, result);
   const double diagonal = bounding_box_diagonal(reference);
   result.average_relative = result.average / diagonal;
   result.maximum_relative = result.maximum / diagonal;
