@@ -10,9 +10,9 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hex_mesh_optimizer.h>
 #include <CGAL/Hex_mesh_optimization/internal/named_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/run_engine.h>
+#include <CGAL/Hex_mesh_optimization/internal/triangle_mesh_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -88,10 +88,8 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
                 const NamedParameters& np, PointOf point)
 {
   const Positions before = engine_positions(points);
-  Hex_mesh_optimizer optimizer(before, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys),
-                               optimization_parameters(np, keys));
-  Status status = optimizer.run();
-  const Positions& after = optimizer.positions();
+  Positions after = before;
+  Status status = run_engine(after, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys), optimization_parameters(np, keys));
   // points may allocate memory: all of them are made before the first is assigned
   using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   std::vector<std::pair<std::size_t, Point>> moved;
@@ -290,7 +288,7 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& re
                                                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const Reference_input surface = reference_input(reference, np);
+  const Reference_input surface = triangle_mesh_to_reference(reference, np);
   return optimize_linear_cell_complex(lcc, &surface, np);
 }
 
@@ -330,7 +328,7 @@ Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const Hexahe
                                                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const Reference_input surface = reference_input(reference, np);
+  const Reference_input surface = triangle_mesh_to_reference(reference, np);
   return optimize_ranges(points, hexahedra, &surface, np);
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/validity.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -222,6 +224,36 @@ TYPED_TEST(Linear_cell_complex, is_written_back_through_vertex_attributes)
     lcc.point_of_vertex_attribute(vertices[v]) = points[v] = typename TypeParam::Point(double(v), 0, 1);
   HMO::linear_cell_complex_to_hexahedra(lcc, moved, hexahedra);
   EXPECT_EQ(moved, points);
+}
+
+TYPED_TEST(Linear_cell_complex, invalid_hexahedra_are_found_by_a_dart_each)
+{
+  Grid grid(3, 3, 3, 2);
+  grid.hexahedra[4] = mirrored(grid.hexahedra[4]);
+  const std::size_t moved = grid.hexahedra[11][5];
+  grid.points[moved] = {-9, 9, -9};
+  TypeParam lcc;
+  const auto points = points_of<TypeParam>(grid);
+  // the mirrored one cannot be sewn to its neighbors: it is on its own
+  std::vector<Hexahedron> sewn = grid.hexahedra, alone;
+  alone.push_back(sewn[4]);
+  sewn.erase(sewn.begin() + 4);
+  for(const std::vector<Hexahedron>& hexahedra : {sewn, alone})
+  {
+    lcc.clear();
+    HMO::hexahedra_to_linear_cell_complex(points, hexahedra, lcc);
+    std::vector<std::size_t> indices;
+    HMO::invalid_hexahedra(points, hexahedra, std::back_inserter(indices));
+    std::vector<typename HMO::internal::Linear_cell_complex_types<TypeParam>::Dart> darts;
+    HMO::invalid_hexahedra(lcc, std::back_inserter(darts));
+    EXPECT_FALSE(indices.empty());
+    ASSERT_EQ(darts.size(), indices.size());
+    for(std::size_t i = 0; i < darts.size(); ++i)
+    {
+      EXPECT_EQ(lcc.point(darts[i]), points[hexahedra[indices[i]][0]]);
+      EXPECT_EQ(lcc.point(lcc.next(darts[i])), points[hexahedra[indices[i]][4]]);
+    }
+  }
 }
 
 TYPED_TEST(Linear_cell_complex, made_by_hand_is_listed)

@@ -15,6 +15,7 @@
 #endif
 
 #include <CGAL/Hex_mesh_optimization/internal/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
@@ -474,6 +476,30 @@ OutputIterator invalid_hexahedra(const PointRange& points, const HexahedronRange
       *out++ = index;
     ++index;
   }
+  return out;
+}
+
+/*!
+ * writes a dart of each hexahedron of a linear cell complex that is not proven valid: the one from corner 0 to corner 4,
+ * in the order of `linear_cell_complex_to_hexahedra()`.
+ *
+ * \tparam LCC an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
+ *         `Linear_cell_complex_for_generalized_map<3,3,...>`
+ * \tparam OutputIterator a model of `OutputIterator` to which `LCC::Dart_const_descriptor` (before \cgal 5.6,
+ *         `LCC::Dart_const_handle`) can be assigned
+ *
+ * \throws Input_error as `linear_cell_complex_to_hexahedra()` does
+ */
+template <class LCC, class OutputIterator>
+OutputIterator invalid_hexahedra(const LCC& lcc, OutputIterator out)
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
+  const internal::Hexahedra_of_linear_cell_complex<LCC> volumes(lcc);
+  for (std::size_t h = 0; h < hexahedra.size(); ++h)
+    if (internal::hexahedron_validity(internal::hexahedron_coordinates(points, hexahedra[h])) != Validity::VALID)
+      *out++ = volumes.corners(h)[0];
   return out;
 }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
@@ -41,15 +42,6 @@
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
-
-// A triangle surface as it is handed over; `sharp` are edges between its points.
-struct Reference_input
-{
-  Positions points;
-  std::vector<Triangle_indices> triangles;
-  Edge_list sharp;
-  bool sharp_is_given = false; // by the user: no detection, nothing dropped
-};
 
 // The edges of a triangle surface whose faces deviate from flat by more than the
 // bound, and those with one face or more than two.

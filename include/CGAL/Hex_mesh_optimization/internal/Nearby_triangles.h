@@ -76,7 +76,7 @@ public:
     const List& list = lists_[i];
     if (list.size == 0)
       return std::nullopt;
-    Surface_point best;
+    Surface_point best{};
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < list.size; ++k) {
       const Surface_point candidate = closest_point_of_triangle(p, list.triangles[k], triangle_points, triangles);

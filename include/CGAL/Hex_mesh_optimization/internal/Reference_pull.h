@@ -46,7 +46,7 @@ public:
 
   Reference_pull(const Hexahedral_complex& complex, const Reference_surface& surface, double spacing)
     : complex_(complex)
-    , samples_(spread_samples(surface.points, surface.triangles, spacing))
+    , samples_(spread_samples(surface.points, surface.triangles, complex.boundary_faces.size(), spacing))
   {
     // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be missed
     std::vector<double> around(surface.points.size(), 0.0);

@@ -278,11 +278,14 @@ private:
     for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
       if (attachment_.curve_of_edge[e.edge] >= 0)
         curve_edges_[attachment_.curve_of_edge[e.edge]].push_back({complex.edges[e.edge], e.left});
+    const double spacing =
+      parameters_.reference_spacing * std::sqrt(oversize(surface_.points, surface_.triangles, complex.boundary_faces.size()));
+    const double most = 16. * double(complex.boundary_edges.size()); // far more than a curve of the size of the mesh takes
     for (std::size_t c = 0; c < surface_.curves.size(); ++c) {
       const std::vector<int>& v = surface_.curves[c]->vertices;
       for (std::size_t i = 0; i + 1 < v.size() && !curve_edges_[c].empty(); ++i) {
         const Vector_3 &a = surface_.points[v[i]], &b = surface_.points[v[i + 1]];
-        const int n = static_cast<int>(std::ceil((b - a).norm() / parameters_.reference_spacing));
+        const int n = static_cast<int>((std::max)(0.0, (std::min)(std::ceil((b - a).norm() / spacing), most)));
         for (int k = 0; k < n; ++k)
           curve_samples_.push_back({a + (double(k) / n) * (b - a), c});
       }

@@ -10,13 +10,16 @@
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface_samples.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
@@ -32,14 +35,32 @@ inline double bounding_box_diagonal(const Reference_surface& surface)
 }
 
 // Distances from points spread over one surface to the other. O(samples · log triangles).
-inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, double spacing, Deviation& deviation)
+inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, std::size_t number_of_boundary_faces,
+                             double spacing, Deviation& deviation)
 {
+  struct Part
+  {
+    double sum = 0, weight = 0, largest = 0;
+  };
+  const std::vector<Surface_sample> samples = spread_samples(from.points, from.triangles, number_of_boundary_faces, spacing);
+  const auto parts = results_of_ranges<Part>(samples.size(), [&](std::size_t begin, std::size_t end) {
+    Part part;
+    std::size_t hint = Reference_surface::no_hint; // the next sample is not far
+    for (std::size_t i = begin; i < end; ++i) {
+      const Surface_point foot = to.closest_point(samples[i].point, hint);
+      hint = foot.hint;
+      const double distance = (foot.point - samples[i].point).norm();
+      part.sum += samples[i].area * distance;
+      part.weight += samples[i].area;
+      part.largest = (std::max)(part.largest, distance);
+    }
+    return part;
+  }, 1024);
   double sum = 0, weight = 0, largest = 0;
-  for (const Surface_sample& sample : spread_samples(from.points, from.triangles, spacing)) {
-    const double distance = (to.closest_point(sample.point).point - sample.point).norm();
-    sum += sample.area * distance;
-    weight += sample.area;
-    largest = (std::max)(largest, distance);
+  for (const Part& part : parts) {
+    sum += part.sum;
+    weight += part.weight;
+    largest = (std::max)(largest, part.largest);
   }
   if (weight > 0)
     deviation.average = (std::max)(deviation.average, sum / weight);
@@ -53,8 +74,9 @@ inline Deviation deviation(const Hexahedral_complex& complex, const Positions& p
   const std::unique_ptr<Reference_surface> boundary = boundary_as_reference(complex, points);
   if (boundary->is_empty() || reference.is_empty())
     return result;
-  extend_deviation(*boundary, reference, spacing, result);
-  extend_deviation(reference, *boundary, spacing, result);
+  const std::size_t faces = complex.boundary_faces.size();
+  extend_deviation(*boundary, reference, faces, spacing, result);
+  extend_deviation(reference, *boundary, faces, spacing, result);
   const double diagonal = bounding_box_diagonal(reference);
   result.average_relative = result.average / diagonal;
   result.maximum_relative = result.maximum / diagonal;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -24,12 +25,24 @@ struct Surface_sample
   int vertex;  // -1 within a triangle
 };
 
-// The vertices, and in every triangle the centers of a lattice of n² equal parts
-// with edges of about the given length.
+// How many times a surface is larger than could be said to be of the size of the mesh, at least 1.
+// In units of the mean edge of the boundary.
+inline double oversize(const Positions& points, const std::vector<Triangle_indices>& triangles, std::size_t number_of_boundary_faces)
+{
+  const double largest_area = 4; // for each face of the boundary, where 1 is about what there is
+  double area = 0;
+  for (const Triangle_indices& t : triangles)
+    area += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
+  return (std::max)(1.0, area / (largest_area * double(number_of_boundary_faces)));
+}
+
+// The vertices, and in every triangle the centers of a lattice of n² equal parts with edges of about the given length;
+// the number of samples of an oversized surface is in proportion to the mesh, not to the surface.
 inline std::vector<Surface_sample> spread_samples(const Positions& points, const std::vector<Triangle_indices>& triangles,
-                                                  double spacing)
+                                                  std::size_t number_of_boundary_faces, double spacing)
 {
   const double most_parts = 64; // a triangle this many times longer than the spacing is sampled more coarsely
+  const double excess = oversize(points, triangles, number_of_boundary_faces);
   std::vector<Surface_sample> samples;
   std::vector<char> seen(points.size(), false);
   for (const Triangle_indices& t : triangles) {
@@ -39,9 +52,11 @@ inline std::vector<Surface_sample> spread_samples(const Positions& points, const
         seen[v] = true;
         samples.push_back({points[v], 0.0, v});
       }
+    const double doubled = (b - a).cross(c - a).norm();
     const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-    const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(longest / spacing), most_parts)));
-    const double area = (b - a).cross(c - a).norm() / 2 / (double(n) * n);
+    const double extent = excess > 1 ? std::sqrt(doubled / excess) : longest; // needles would have too many samples
+    const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(extent / spacing), most_parts)));
+    const double area = doubled / 2 / (double(n) * n);
     const auto add = [&](double u, double v) { samples.push_back({a + u / n * (b - a) + v / n * (c - a), area, -1}); };
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_REFERENCE_INPUT_H
-#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_REFERENCE_INPUT_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_TRIANGLE_MESH_TO_REFERENCE_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_TRIANGLE_MESH_TO_REFERENCE_H
 
 // A face graph of the caller's as the flat reference surface of the engine.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/Reference_input.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -25,7 +25,7 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 template <class TriangleMesh, class NamedParameters>
-Reference_input reference_input(const TriangleMesh& tmesh, const NamedParameters& np)
+Reference_input triangle_mesh_to_reference(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -66,4 +66,4 @@ Reference_input reference_input(const TriangleMesh& tmesh, const NamedParameters
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_REFERENCE_INPUT_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_TRIANGLE_MESH_TO_REFERENCE_H

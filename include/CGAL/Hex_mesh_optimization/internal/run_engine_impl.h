@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RUN_ENGINE_IMPL_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RUN_ENGINE_IMPL_H
+
+// The definition of run_engine().
+
+#include <CGAL/Hex_mesh_optimization/internal/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/run_engine.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
+Status run_engine(Positions& points, std::vector<Hexahedron> hexahedra, const Reference_input* reference,
+                  std::vector<char> is_frozen, const Optimization_parameters& parameters)
+{
+  Hex_mesh_optimizer optimizer(points, std::move(hexahedra), reference, std::move(is_frozen), parameters);
+  Status status = optimizer.run();
+  points = optimizer.positions();
+  return status;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RUN_ENGINE_IMPL_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Samples of a surface: as dense as they should be on one of the size of the mesh, and not more than in proportion to the
+// mesh on one of any other size.
+
+#include <CGAL/Hex_mesh_optimization/internal/surface_samples.h>
+
+#include "mesh_families.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+constexpr double spacing = .5;
+constexpr std::size_t number_of_faces = 54; // of the mesh that the surface stands for, with edges of length 1
+
+struct Surface
+{
+  Positions points;
+  std::vector<Triangle_indices> triangles;
+
+  // a cube with as many faces as the mesh
+  explicit Surface(double scale)
+  {
+    Indexed_mesh block;
+    CGAL::Hex_mesh_optimization::make_block(block.points, block.hexahedra, {{3, 3, 3}}, {{3, 3, 3}});
+    for_boundary(block,
+                 [&](const Indexed_mesh::Point& p) {
+                   points.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+                   return static_cast<int>(points.size()) - 1;
+                 },
+                 [&](int a, int b, int c) { triangles.push_back({a, b, c}); });
+  }
+
+  std::vector<Surface_sample> samples() const { return spread_samples(points, triangles, number_of_faces, spacing); }
+};
+
+std::size_t largest_number(const Surface& surface)
+{
+  return surface.points.size() + 2 * surface.triangles.size() + std::size_t(16 * number_of_faces / (spacing * spacing));
+}
+
+double area(const std::vector<Surface_sample>& samples)
+{
+  double sum = 0;
+  for (const Surface_sample& s : samples)
+    sum += s.area;
+  return sum;
+}
+
+TEST(Surface_samples, are_as_dense_as_asked_for_on_a_surface_of_the_size_of_the_mesh)
+{
+  for (double scale : {.01, 1., 1.9}) {
+    const Surface surface(scale);
+    std::vector<char> seen(surface.points.size(), false);
+    for (const Surface_sample& s : surface.samples()) {
+      EXPECT_LE(s.area, spacing * spacing / 4 * (1 + 1e-9)); // a right triangle with that hypotenuse
+      if (s.vertex >= 0)
+        seen[s.vertex] = true;
+    }
+    EXPECT_EQ(seen, std::vector<char>(surface.points.size(), true));
+    EXPECT_NEAR(area(surface.samples()), 54 * scale * scale, 1e-9);
+  }
+}
+
+TEST(Surface_samples, of_an_oversized_surface_are_in_proportion_to_the_mesh)
+{
+  for (double scale : {2.5, 10., 1e3, 1e10, 1e50}) {
+    const Surface surface(scale);
+    const std::vector<Surface_sample> samples = surface.samples();
+    EXPECT_LE(samples.size(), largest_number(surface)) << scale;
+    EXPECT_GE(samples.size(), 8 * number_of_faces) << scale;
+    EXPECT_NEAR(area(samples) / (54 * scale * scale), 1, 1e-9) << scale;
+  }
+}
+
+TEST(Surface_samples, of_a_surface_beyond_the_range_of_areas_are_its_vertices_and_triangles)
+{
+  const Surface surface(1e200);
+  EXPECT_EQ(surface.samples().size(), surface.points.size() + surface.triangles.size());
+}
+
+TEST(Surface_samples, of_long_needles_are_in_proportion_to_the_mesh)
+{
+  for (double length : {1e3, 1e6, 1e100}) {
+    Surface surface(1);
+    surface.points.front().y() -= length;
+    surface.points.back().x() += length;
+    const std::vector<Surface_sample> samples = surface.samples();
+    EXPECT_LE(samples.size(), largest_number(surface)) << length;
+    for (const Surface_sample& s : samples)
+      EXPECT_TRUE(s.point.allFinite());
+  }
+}
+
+} // namespace
