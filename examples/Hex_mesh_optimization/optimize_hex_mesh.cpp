@@ -15,6 +15,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -108,7 +113,7 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("LENGTH")->check(CLI::PositiveNumber.description(""));
   app.add_option("--time-limit", o.time_limit, "stop after that time and write the best mesh so far")
     ->type_name("SECONDS")->check(CLI::Range(0., 1e9).description(""));
-  app.add_option("--threads", o.threads, "number of threads (this version uses one)")
+  app.add_option("--threads", o.threads, "number of threads (one, if this program was built without TBB)")
     ->type_name("N")->check(CLI::Range(1, 1024).description(""))->capture_default_str();
   app.add_option("--json", o.json, "write the report, with every iteration, to this file")->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "print nothing but errors");
@@ -219,6 +224,19 @@ std::set<std::size_t> read_vertices(const std::string& filename, std::size_t num
   return vertices;
 }
 
+// What work() returns; its parallel algorithms have so many threads, or one where there is no TBB.
+template <class Work>
+HMO::Status in_threads(int number, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, number);
+  return tbb::task_arena(number).execute(work);
+#else
+  (void)number;
+  return work();
+#endif
+}
+
 HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
 {
   std::signal(SIGINT, interrupt);
@@ -244,8 +262,11 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
   Surface_mesh reference;
   if (!o.reference.empty())
     CGAL::IO::read_surface(o.reference, reference);
-  return o.reference.empty() ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np)
-                             : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference, np);
+  return in_threads(o.threads, [&] {
+    using Tag = CGAL::Parallel_if_available_tag;
+    return o.reference.empty() ? CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, np)
+                               : CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, reference, np);
+  });
 }
 
 const char* in_words(HMO::Return_code code)

@@ -17,6 +17,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -83,13 +84,19 @@ Positions engine_positions(const PointRange& points)
 }
 
 // point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
-template <class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
+template <class ConcurrencyTag, class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
 Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys, const Reference_input* reference,
                 const NamedParameters& np, PointOf point)
 {
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support, or use CGAL::Parallel_if_available_tag");
+#endif
   const Positions before = engine_positions(points);
   Positions after = before;
-  Status status = run_engine(after, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys), optimization_parameters(np, keys));
+  Optimization_parameters parameters = optimization_parameters(np, keys);
+  parameters.is_parallel = is_parallel;
+  Status status = run_engine(after, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys), parameters);
   // points may allocate memory: all of them are made before the first is assigned
   using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   std::vector<std::pair<std::size_t, Point>> moved;
@@ -101,23 +108,23 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
   return status;
 }
 
-template <class PointRange, class HexahedronRange, class NamedParameters>
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
 Status optimize_ranges(PointRange& points, const HexahedronRange& hexahedra, const Reference_input* reference,
                        const NamedParameters& np)
 {
   std::vector<std::size_t> keys(points.size());
   std::iota(keys.begin(), keys.end(), std::size_t(0));
-  return optimize(points, hexahedra, keys, reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
+  return optimize<ConcurrencyTag>(points, hexahedra, keys, reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
 }
 
-template <class LCC, class NamedParameters>
+template <class ConcurrencyTag, class LCC, class NamedParameters>
 Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, const NamedParameters& np)
 {
   std::vector<typename LCC::Point> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
   std::vector<typename Linear_cell_complex_types<LCC>::Vertex> vertices;
   linear_cell_complex_to_hexahedra(lcc, points, hexahedra, vertices);
-  return optimize(points, hexahedra, vertices, reference, np,
+  return optimize<ConcurrencyTag>(points, hexahedra, vertices, reference, np,
                   [&](std::size_t v) -> auto& { return lcc.point_of_vertex_attribute(vertices[v]); });
 }
 
@@ -141,6 +148,9 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *
  * That the result is valid is no guarantee but is certified where it holds: `Status::valid_mesh()`.
  *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`, `Parallel_tag`,
+ *         and `Parallel_if_available_tag`. Parallel, it runs in the TBB task arena of the caller. The result is the same, bit
+ *         for bit, whatever the number of threads.
  * \tparam LCC `Linear_cell_complex_for_combinatorial_map` or `Linear_cell_complex_for_generalized_map` of dimension 3
  *         and ambient dimension 3, with any items and storage
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -279,7 +289,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * Each iteration solves sparse linear systems by conjugate gradients and queries AABB trees: its time grows slightly
  * faster than linearly in the number of hexahedra, its memory linearly.
  */
-template <class LCC, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class LCC, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           , Hex_mesh_optimization::internal::Enable_for_reference<LCC, TriangleMesh> = 0
 #endif
@@ -289,7 +300,7 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& re
 {
   using namespace Hex_mesh_optimization::internal;
   const Reference_input surface = triangle_mesh_to_reference(reference, np);
-  return optimize_linear_cell_complex(lcc, &surface, np);
+  return optimize_linear_cell_complex<ConcurrencyTag>(lcc, &surface, np);
 }
 
 /*!
@@ -298,14 +309,15 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& re
  * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface. Its quadrangles
  * are split into triangles from their first corners. `features_angle_bound` applies to the quadrangles.
  */
-template <class LCC, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class LCC, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           , Hex_mesh_optimization::internal::Enable_for_parameters<LCC, NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters& np = parameters::default_values())
 {
-  return Hex_mesh_optimization::internal::optimize_linear_cell_complex(lcc, nullptr, np);
+  return Hex_mesh_optimization::internal::optimize_linear_cell_complex<ConcurrencyTag>(lcc, nullptr, np);
 }
 
 /*!
@@ -319,7 +331,8 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters&
  * \tparam PointRange a model of `RandomAccessContainer` of 3D points
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight integers
  */
-template <class PointRange, class HexahedronRange, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class PointRange, class HexahedronRange, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           , Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, TriangleMesh, false> = 0
 #endif
@@ -329,7 +342,7 @@ Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const Hexahe
 {
   using namespace Hex_mesh_optimization::internal;
   const Reference_input surface = triangle_mesh_to_reference(reference, np);
-  return optimize_ranges(points, hexahedra, &surface, np);
+  return optimize_ranges<ConcurrencyTag>(points, hexahedra, &surface, np);
 }
 
 /*!
@@ -337,7 +350,8 @@ Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const Hexahe
  *
  * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface.
  */
-template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           , Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, NamedParameters, true> = 0
 #endif
@@ -345,7 +359,7 @@ template <class PointRange, class HexahedronRange, class NamedParameters = param
 Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra,
                                                 const NamedParameters& np = parameters::default_values())
 {
-  return Hex_mesh_optimization::internal::optimize_ranges(points, hexahedra, nullptr, np);
+  return Hex_mesh_optimization::internal::optimize_ranges<ConcurrencyTag>(points, hexahedra, nullptr, np);
 }
 
 } // namespace CGAL

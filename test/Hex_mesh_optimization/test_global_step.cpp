@@ -93,6 +93,14 @@ Eigen::MatrixXd hessian(const Energy& energy, std::size_t number_of_points)
 
 // --- The sparse system itself ---------------------------------------------------
 
+std::vector<Surface_point> feet_on(const Reference_surface& surface, const Positions& points)
+{
+  std::vector<Surface_point> feet;
+  for (const Vector_3& p : points)
+    feet.push_back(surface.closest_point(p));
+  return feet;
+}
+
 struct Random_system
 {
   static constexpr std::size_t n = 12;
@@ -368,7 +376,7 @@ struct Setting
   {
     auto step = std::make_unique<Global_step>(complex, relations, cones, parameters);
     step->set_target_lengths(lengths);
-    step->set_boundary(*surface, *attachment, weights, anchor, tangled);
+    step->set_boundary(*surface, *attachment, feet_on(*surface, tangled), weights, anchor, tangled);
     if (!links.empty())
       step->set_reference_pull(links, link_weights);
     step->worst_cosine_of_mesh = worst_cosine_of_mesh;
@@ -564,11 +572,11 @@ TEST(Global_step, forgets_what_it_was_set_before)
   step->minimize(s.targets, x);
   // other lengths and another boundary in between
   step->set_target_lengths(std::vector<double>(s.lengths.size(), 2.0));
-  step->set_boundary(*s.surface, *s.attachment, std::vector<double>(s.weights.size(), 5.0), 3, s.regular);
+  step->set_boundary(*s.surface, *s.attachment, feet_on(*s.surface, s.regular), std::vector<double>(s.weights.size(), 5.0), 3, s.regular);
   x = s.tangled;
   step->minimize(s.targets, x);
   step->set_target_lengths(s.lengths);
-  step->set_boundary(*s.surface, *s.attachment, s.weights, s.anchor, s.tangled);
+  step->set_boundary(*s.surface, *s.attachment, feet_on(*s.surface, s.tangled), s.weights, s.anchor, s.tangled);
   x = s.tangled;
   step->minimize(s.targets, x);
   EXPECT_EQ(x, s.minimized(s.tangled));

@@ -170,14 +170,10 @@ public:
         return sum;
       });
       const float ratio = static_cast<float>(next / rz);
-      for_ranges(n, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-          d[v] = z[v] + ratio * d[v];
-      });
+      for_each(n, [&](std::size_t v) { d[v] = z[v] + ratio * d[v]; });
       rz = next;
     }
-    for (std::size_t v = 0; v < n; ++v)
-      x[v] = largest * y[v].cast<double>();
+    for_each(n, [&](std::size_t v) { x[v] = largest * y[v].cast<double>(); });
     return iteration;
   }
 
@@ -196,10 +192,7 @@ private:
 
   void multiply(const std::vector<Vector>& x, std::vector<Vector>& y) const
   {
-    for_ranges(size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        y[v] = diagonal[v].cast<float>() * x[v];
-    });
+    for_each(size(), [&](std::size_t v) { y[v] = diagonal[v].cast<float>() * x[v]; });
     ranges_->for_ranges([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
         Vector sum = Vector::Zero();

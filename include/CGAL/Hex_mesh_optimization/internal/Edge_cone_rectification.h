@@ -18,6 +18,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
 
 #include <algorithm>
@@ -47,6 +48,7 @@ public:
     , global_(complex, relations, cones_, parameters_)
     , pull_(complex, surface, parameters.reference_spacing)
     , weights_(complex.number_of_vertices(), 1.0)
+    , feet_(complex.number_of_vertices(), Surface_point{Vector_3::Zero(), Vector_3::Zero(), {}, 0, Reference_surface::no_hint})
     , targets_(cones_.size())
   {
     std::vector<char> is_fixed(complex.number_of_vertices());
@@ -111,8 +113,12 @@ private:
   // One local and one global step. False when nothing moved any more.
   bool iterate(Positions& points, double anchor, Best& best, Run_control& control, bool maximizing)
   {
+    for_each(points.size(), [&](std::size_t v) {
+      if (is_smooth(static_cast<int>(v)))
+        feet_[v] = surface_.closest_point(points[v], feet_[v].hint);
+    }, 64);
     local_step(points, maximizing);
-    global_.set_boundary(surface_, attachment_, weights_, anchor, points);
+    global_.set_boundary(surface_, attachment_, feet_, weights_, anchor, points);
     if (best.quality.invalid == 0)
       pull_reference(points);
     const Positions before = points;
@@ -134,17 +140,20 @@ private:
     std::vector<double> share(points.size(), 1.0);
     const Positions full = points;
     for (int attempt = 0; attempt < parameters_.hold_back_attempts; ++attempt) {
+      std::vector<char> is_ruined(complex_.hexahedra.size());
+      for_each(is_ruined.size(), [&](std::size_t h) {
+        const Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
+        const double q = scaled_jacobian(x);
+        is_ruined[h] = q <= parameters_.hold_back_quality &&
+                       (q < parameters_.hold_back_loss * scaled_jacobian(hexahedron_coordinates(before, complex_.hexahedra[h])) ||
+                        hexahedron_validity(x) != Validity::VALID);
+      });
       std::vector<char> hold(points.size(), false);
       bool any = false;
-      for (const Hexahedron& h : complex_.hexahedra) {
-        const Hexahedron_coordinates x = hexahedron_coordinates(points, h);
-        const double q = scaled_jacobian(x);
-        if (q > parameters_.hold_back_quality)
-          continue;
-        if (q < parameters_.hold_back_loss * scaled_jacobian(hexahedron_coordinates(before, h)) || hexahedron_validity(x) != Validity::VALID)
-          for (int v : h)
+      for (std::size_t h = 0; h < is_ruined.size(); ++h)
+        if (is_ruined[h])
+          for (int v : complex_.hexahedra[h])
             hold[v] = any = true;
-      }
       if (!any)
         return;
       const bool last = attempt + 2 >= parameters_.hold_back_attempts;
@@ -178,40 +187,46 @@ private:
   void local_step(const Positions& points, bool maximizing)
   {
     cones_.update_normals(points);
-    Positions surface_normals(points.size(), Vector_3::Zero());
-    for (std::size_t v = 0; v < points.size(); ++v)
-      if (is_smooth(static_cast<int>(v)))
-        surface_normals[v] = surface_.closest_point(points[v]).normal;
     const double threshold = std::cos(parameters_.cone_angle_bound * 3.14159265358979323846 / 180);
     double worst_of_mesh = 1;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const int directed = static_cast<int>(i);
-      Vector_3 normal = Vector_3::Zero();
-      double surface_weight = 0;
-      // an edge at a feature lies in no one tangent plane
-      if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) && is_smooth(complex_.target(directed))) {
-        normal = surface_normals[complex_.source(directed)] + surface_normals[complex_.target(directed)];
-        if (normal.norm() > 1e-3) { // opposite normals have no average
-          normal.normalize();
-          surface_weight = parameters_.direction_surface_weight;
-        }
-      }
-      const Vector_3 edge = global_.edge_vector(points, directed);
-      double wanted = threshold;
-      if (maximizing) {
-        const double current = cones_.worst_cosine(directed, edge.normalized());
-        worst_of_mesh = (std::min)(worst_of_mesh, current);
-        if (current > threshold && current < parameters_.sufficient_quality)
-          wanted = current + parameters_.minimum_quality_step; // eq. 26
-      }
-      const Target_direction target = target_direction(cones_, directed, edge, wanted, surface_weight, normal);
-      // no room for a better axis: the previous target stays (Section 3.6)
-      if (!maximizing || target.worst_cosine >= wanted - 1e-9 || !targets_[i].is_valid())
-        targets_[i] = target;
-      else
-        targets_[i].worst_cosine = cones_.worst_cosine(directed, targets_[i].direction);
-    }
+    for (double worst : results_of_ranges<double>(targets_.size(), [&](std::size_t begin, std::size_t end) {
+           double worst_of_range = 1;
+           for (std::size_t i = begin; i < end; ++i)
+             worst_of_range = (std::min)(worst_of_range, set_target(static_cast<int>(i), points, threshold, maximizing));
+           return worst_of_range;
+         }, 256))
+      worst_of_mesh = (std::min)(worst_of_mesh, worst);
     global_.worst_cosine_of_mesh = maximizing && worst_of_mesh > 0 ? worst_of_mesh : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  // Decides for one cone. Returns the worst cosine that it has now, when maximizing.
+  double set_target(int directed, const Positions& points, double threshold, bool maximizing)
+  {
+    Vector_3 normal = Vector_3::Zero();
+    double surface_weight = 0;
+    // an edge at a feature lies in no one tangent plane
+    if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) && is_smooth(complex_.target(directed))) {
+      normal = feet_[complex_.source(directed)].normal + feet_[complex_.target(directed)].normal;
+      if (normal.norm() > 1e-3) { // opposite normals have no average
+        normal.normalize();
+        surface_weight = parameters_.direction_surface_weight;
+      }
+    }
+    const Vector_3 edge = global_.edge_vector(points, directed);
+    double wanted = threshold, worst = 1;
+    if (maximizing) {
+      const double current = cones_.worst_cosine(directed, edge.normalized());
+      worst = current;
+      if (current > threshold && current < parameters_.sufficient_quality)
+        wanted = current + parameters_.minimum_quality_step; // eq. 26
+    }
+    const Target_direction target = target_direction(cones_, directed, edge, wanted, surface_weight, normal);
+    // no room for a better axis: the previous target stays (Section 3.6)
+    if (!maximizing || target.worst_cosine >= wanted - 1e-9 || !targets_[directed].is_valid())
+      targets_[directed] = target;
+    else
+      targets_[directed].worst_cosine = cones_.worst_cosine(directed, targets_[directed].direction);
+    return worst;
   }
 
   void adapt_weights(const Mesh_quality& quality)
@@ -274,6 +289,7 @@ private:
   Global_step global_;
   Reference_pull pull_;
   std::vector<double> weights_;
+  std::vector<Surface_point> feet_; // of the vertices on the smooth surface
   std::vector<Target_direction> targets_;
   std::size_t iteration_ = 0;
   bool is_valid_ = false;

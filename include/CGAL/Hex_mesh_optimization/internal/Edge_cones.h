@@ -11,6 +11,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/cone_direction.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
 #include <algorithm>
 #include <vector>
@@ -30,6 +31,7 @@ public:
                  [this](std::size_t item) { return axis_of(item); },
                  [](std::size_t item) { return static_cast<int>(item); })
     , normals_(24 * complex.hexahedra.size())
+    , sums_(triangles_.size())
   {}
 
   std::size_t size() const { return triangles_.size(); }
@@ -41,13 +43,7 @@ public:
   const Vector_3& normal(int triangle) const { return normals_[triangle]; }
 
   // The sum of the unit base normals of a cone.
-  Vector_3 normal_sum(int directed) const
-  {
-    Vector_3 sum = Vector_3::Zero();
-    for (int t : triangles_[directed])
-      sum += normals_[t];
-    return sum;
-  }
+  const Vector_3& normal_sum(int directed) const { return sums_[directed]; }
 
   // cos of the largest angle between a direction and the base normals.
   double worst_cosine(int directed, const Vector_3& direction) const
@@ -60,7 +56,7 @@ public:
 
   void update_normals(const Positions& points)
   {
-    for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
+    for_each(complex_.hexahedra.size(), [&](std::size_t h) {
       const Hexahedron& hex = complex_.hexahedra[h];
       for (int c = 0; c < 8; ++c) {
         Vector_3 edge[3];
@@ -73,7 +69,12 @@ public:
           n = length > 0 ? Vector_3(n / length) : Vector_3(Vector_3::Zero());
         }
       }
-    }
+    });
+    for_each(sums_.size(), [&](std::size_t directed) {
+      sums_[directed].setZero();
+      for (int t : triangles_[directed])
+        sums_[directed] += normals_[t];
+    });
   }
 
 private:
@@ -85,7 +86,8 @@ private:
 
   const Hexahedral_complex& complex_;
   Grouped_array triangles_;
-  std::vector<Vector_3> normals_;
+  Positions normals_; // of the base triangles
+  Positions sums_;    // of each cone
 };
 
 // What the local step decided for one directed edge.

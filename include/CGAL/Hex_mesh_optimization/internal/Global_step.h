@@ -8,6 +8,7 @@
 // cones, the regularization and the boundary (eq. 25), by penalty reweighting.
 
 #include <CGAL/Hex_mesh_optimization/internal/Edge_cones.h>
+#include <CGAL/Hex_mesh_optimization/internal/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Rectification_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Reference_pull.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Vertex_system.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +40,10 @@ public:
     , parameters_(parameters)
     , system_(complex.number_of_vertices(), couplings(complex, relations))
     , edge_slots_(complex.edges.size())
+    , vertex_edges_(complex.number_of_vertices(), 2 * complex.edges.size(),
+                    [&](std::size_t k) { return complex.edges[k / 2][k % 2]; }, [](std::size_t k) { return static_cast<int>(k); })
+    , quadratic_(complex.edges.size())
+    , linear_(complex.edges.size())
     , penalty_weight_(2 * complex.edges.size(), 1.0)
   {
     for (std::size_t e = 0; e < edge_slots_.size(); ++e)
@@ -60,9 +66,9 @@ public:
 
   // Sets the quadratic boundary terms at the current positions (eq. 21), each
   // times the weight of its vertex, and the pull towards the current place
-  // within the surface.
-  void set_boundary(const Reference_surface& surface, const Boundary_attachment& attachment, const std::vector<double>& weight,
-                    double tangential_anchor, const Positions& points)
+  // within the surface. feet: the points of the surface closest to the vertices on it.
+  void set_boundary(const Reference_surface& surface, const Boundary_attachment& attachment, const std::vector<Surface_point>& feet,
+                    const std::vector<double>& weight, double tangential_anchor, const Positions& points)
   {
     boundary_blocks_.assign(points.size(), Matrix_3::Zero());
     boundary_right_.assign(points.size(), Vector_3::Zero());
@@ -74,7 +80,7 @@ public:
       Vector_3 place = Vector_3::Zero();
       switch (attachment.kind[v]) {
       case Vertex_kind::SURFACE: {
-        const Surface_point q = surface.closest_point(points[v]);
+        const Surface_point& q = feet[v];
         place = q.point;
         block = beta * weight[v] * q.normal * q.normal.transpose();
         break;
@@ -207,11 +213,24 @@ private:
 
   void assemble(const std::vector<Target_direction>& targets, const std::vector<double>& start_length)
   {
-    system_.diagonal = regularization_diagonal_;
-    system_.couplings() = regularization_couplings_;
+    for_ranges(regularization_couplings_.size(), [&](std::size_t begin, std::size_t end) {
+      std::copy(regularization_couplings_.begin() + begin, regularization_couplings_.begin() + end, system_.couplings().begin() + begin);
+    });
     system_.blocks = boundary_blocks_;
-    system_.right = boundary_right_;
-    constant_ = boundary_constant_;
+    constant_ = boundary_constant_ + sum_of_ranges(complex_.edges.size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t e = begin; e < end; ++e)
+        sum += set_edge(e, targets, start_length[e]);
+      return sum;
+    });
+    for_each(system_.size(), [&](std::size_t v) {
+      double& diagonal = system_.diagonal[v] = regularization_diagonal_[v];
+      Vector_3& right = system_.right[v] = boundary_right_[v];
+      for (int k : vertex_edges_[v]) {
+        diagonal += quadratic_[k / 2];
+        right += k % 2 ? linear_[k / 2] : Vector_3(-linear_[k / 2]);
+      }
+    });
     for (std::size_t l = 0; l < links_.size(); ++l)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -222,27 +241,28 @@ private:
           else
             system_.couplings()[system_.slot(vertices[i], vertices[j])] += value;
         }
-    for (std::size_t e = 0; e < complex_.edges.size(); ++e) {
-      const double length = lengths_[e], scale = normalization(static_cast<int>(e), start_length[e]);
-      double quadratic = 0;
-      Vector_3 linear = Vector_3::Zero();
-      for (int side = 0; side < 2; ++side) {
-        const int directed = 2 * static_cast<int>(e) + side;
-        const double count = parameters_.cone_weight * cones_.triangles(directed).size();
-        const double factor = penalty_factor(targets[directed], directed);
-        const Vector_3 pull = parameters_.cone_weight / length * cones_.normal_sum(directed) + factor / scale * targets[directed].direction;
-        quadratic += count / (length * length) + factor / (scale * scale);
-        linear += side == 0 ? pull : Vector_3(-pull);
-        constant_ += count + factor;
-      }
-      const int i = complex_.edges[e][0], j = complex_.edges[e][1];
-      system_.diagonal[i] += quadratic;
-      system_.diagonal[j] += quadratic;
-      system_.couplings()[edge_slots_[e][0]] -= quadratic;
-      system_.couplings()[edge_slots_[e][1]] -= quadratic;
-      system_.right[j] += linear;
-      system_.right[i] -= linear;
+  }
+
+  // The terms of the cones around both directions of an edge. Returns what they add to the energy whatever the positions.
+  double set_edge(std::size_t e, const std::vector<Target_direction>& targets, double start_length)
+  {
+    const double length = lengths_[e], scale = normalization(static_cast<int>(e), start_length);
+    double quadratic = 0, constant = 0;
+    Vector_3 linear = Vector_3::Zero();
+    for (int side = 0; side < 2; ++side) {
+      const int directed = 2 * static_cast<int>(e) + side;
+      const double count = parameters_.cone_weight * cones_.triangles(directed).size();
+      const double factor = penalty_factor(targets[directed], directed);
+      const Vector_3 pull = parameters_.cone_weight / length * cones_.normal_sum(directed) + factor / scale * targets[directed].direction;
+      quadratic += count / (length * length) + factor / (scale * scale);
+      linear += side == 0 ? pull : Vector_3(-pull);
+      constant += count + factor;
     }
+    system_.couplings()[edge_slots_[e][0]] -= quadratic;
+    system_.couplings()[edge_slots_[e][1]] -= quadratic;
+    quadratic_[e] = quadratic;
+    linear_[e] = linear;
+    return constant;
   }
 
   // eq. 15, with the difference of unit vectors: with the length normalization of
@@ -250,15 +270,14 @@ private:
   // scheme rests on, and the weights of tangled inputs would explode.
   void update_penalty_weights(const std::vector<Target_direction>& targets, const Positions& points)
   {
-    for (std::size_t directed = 0; directed < penalty_weight_.size(); ++directed) {
-      const int d = static_cast<int>(directed);
-      Vector_3 e = edge_vector(points, d);
+    for_each(penalty_weight_.size(), [&](std::size_t directed) {
+      const Vector_3 e = edge_vector(points, static_cast<int>(directed));
       const double length = e.norm();
       if (length == 0)
-        continue;
+        return;
       const double difference = (e / length - targets[directed].direction).squaredNorm();
       penalty_weight_[directed] = (std::max)(penalty_weight_[directed], difference * difference * difference);
-    }
+    });
   }
 
   const Hexahedral_complex& complex_;
@@ -267,6 +286,9 @@ private:
   const Rectification_parameters& parameters_;
   Vertex_system system_;
   std::vector<std::array<std::size_t, 2>> edge_slots_;
+  const Grouped_array vertex_edges_; // 2 e + end
+  std::vector<double> quadratic_;    // of the cones of each edge
+  Positions linear_;
   std::vector<double> penalty_weight_, lengths_;
   std::vector<double> regularization_diagonal_, regularization_couplings_;
   std::vector<Matrix_3> boundary_blocks_;

@@ -112,10 +112,7 @@ public:
   template <class Work>
   void for_each(const Work& work) const
   {
-    for_ranges(size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        work(i);
-    }, batches_of_range);
+    internal::for_each(size(), work, batches_of_range);
   }
 
   // Calls work(batch) for all, never at once for two with a common vertex.

@@ -43,6 +43,7 @@ namespace internal {
 
 struct Optimization_parameters
 {
+  bool is_parallel = false; // in the threads of the caller's task arena, else in one
   Method method = Method::FULL;
   bool fixed_boundary = false;
   double target_quality = std::numeric_limits<double>::infinity();

@@ -78,12 +78,10 @@ public:
         return links_;
       }
     }
-    for_ranges(samples_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
-        if (links_[i].is_new)
-          find_link(i, points, is_first);
-      }
+    for_each(samples_.size(), [&](std::size_t i) {
+      links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
+      if (links_[i].is_new)
+        find_link(i, points, is_first);
     }, 256);
     return links_;
   }
@@ -121,8 +119,9 @@ private:
   bool is_known(const Positions& points)
   {
     std::vector<char> is_fast(points.size());
-    for (std::size_t v = 0; v < points.size(); ++v)
+    for_each(points.size(), [&](std::size_t v) {
       is_fast[v] = (points[v] - known_->points[v]).squaredNorm() > Nearby_triangles::margin * Nearby_triangles::margin;
+    });
     fast_triangles_.clear();
     std::vector<Triangle_indices> triangles;
     for (std::size_t t = 0; t < known_->triangles.size(); ++t) {

@@ -94,27 +94,21 @@ public:
   // Finds the targets of all samples from the present positions. What has hardly moved keeps its own.
   void update(const Positions& points)
   {
-    for_ranges(own_count_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Vector_3 p = samples_[i].place(points);
-        const double still = parameters_.still_distance * samples_[i].scale;
-        if ((p - queried_at_[i]).squaredNorm() < still * still)
-          continue;
-        queried_at_[i] = p;
-        aim(i, p);
-      }
+    for_each(own_count_, [&](std::size_t i) {
+      const Vector_3 p = samples_[i].place(points);
+      const double still = parameters_.still_distance * samples_[i].scale;
+      if ((p - queried_at_[i]).squaredNorm() < still * still)
+        return;
+      queried_at_[i] = p;
+      aim(i, p);
     }, 256);
     const std::vector<Reference_pull::Link>& links = pull_.update(points, parameters_.still_distance);
     samples_.resize(own_count_ + links.size() + curve_samples_.size()); // the same number each time, so that strains are kept
-    for_ranges(links.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        if (links[i].is_new)
-          follow(links[i], samples_[own_count_ + i]);
+    for_each(links.size(), [&](std::size_t i) {
+      if (links[i].is_new)
+        follow(links[i], samples_[own_count_ + i]);
     });
-    for_ranges(curve_samples_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        follow(points, curve_samples_[i], samples_[own_count_ + links.size() + i]);
-    }, 64);
+    for_each(curve_samples_.size(), [&](std::size_t i) { follow(points, curve_samples_[i], samples_[own_count_ + links.size() + i]); }, 64);
     if (std::isfinite(parameters_.maximum_deviation))
       strain(points);
     of_face_ = Grouped_array(complex_.boundary_faces.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },

@@ -8,6 +8,7 @@
 // scalar couplings, equal in x, y and z, plus a 3×3 block at boundary vertices.
 
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
 #include <Eigen/LU>
 
@@ -67,9 +68,10 @@ public:
   {
     const std::size_t n = size();
     std::vector<Matrix_3> inverse(n);
-    for (std::size_t v = 0; v < n; ++v)
+    for_each(n, [&](std::size_t v) {
       inverse[v] = is_fixed[v] || diagonal[v] <= 0 ? Matrix_3(Matrix_3::Zero())
                                                    : Matrix_3((blocks[v] + diagonal[v] * Matrix_3::Identity()).inverse());
+    });
     Positions r(n), z(n), d(n), Ad(n);
     multiply(x, r);
     double rz = 0, scale = 0;
@@ -85,25 +87,30 @@ public:
     int iteration = 0;
     for (; iteration < maximum_iterations && rz > tolerance * tolerance * scale; ++iteration) {
       multiply(d, Ad);
-      double dAd = 0;
-      for (std::size_t v = 0; v < n; ++v)
-        if (!is_fixed[v])
-          dAd += d[v].dot(Ad[v]);
+      const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v)
+          if (!is_fixed[v])
+            sum += d[v].dot(Ad[v]);
+        return sum;
+      });
       if (!(dAd > 0))
         break;
       const double step = rz / dAd;
-      double next = 0;
-      for (std::size_t v = 0; v < n; ++v) {
-        if (is_fixed[v])
-          continue;
-        x[v] += step * d[v];
-        r[v] -= step * Ad[v];
-        z[v] = inverse[v] * r[v];
-        next += r[v].dot(z[v]);
-      }
+      const double next = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v) {
+          if (is_fixed[v])
+            continue;
+          x[v] += step * d[v];
+          r[v] -= step * Ad[v];
+          z[v] = inverse[v] * r[v];
+          sum += r[v].dot(z[v]);
+        }
+        return sum;
+      });
       const double ratio = next / rz;
-      for (std::size_t v = 0; v < n; ++v)
-        d[v] = z[v] + ratio * d[v];
+      for_each(n, [&](std::size_t v) { d[v] = z[v] + ratio * d[v]; });
       rz = next;
     }
     return iteration;
@@ -114,21 +121,23 @@ public:
   {
     Positions Ax(size());
     multiply(x, Ax);
-    double sum = 0;
-    for (std::size_t v = 0; v < size(); ++v)
-      sum += x[v].dot(Ax[v] - 2 * right[v]);
-    return sum;
+    return sum_of_ranges(size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t v = begin; v < end; ++v)
+        sum += x[v].dot(Ax[v] - 2 * right[v]);
+      return sum;
+    });
   }
 
 private:
   void multiply(const Positions& x, Positions& y) const
   {
-    for (std::size_t v = 0; v < size(); ++v) {
+    for_each(size(), [&](std::size_t v) {
       Vector_3 sum = diagonal[v] * x[v] + blocks[v] * x[v];
       for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k)
         sum += couplings_[k] * x[columns_[k]];
       y[v] = sum;
-    }
+    });
   }
 
   std::vector<std::size_t> offsets_;

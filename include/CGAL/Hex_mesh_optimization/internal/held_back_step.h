@@ -29,10 +29,7 @@ inline void hold_back(const Hexahedral_complex& complex, const Hexahedron_batche
   std::vector<char> is_too_low(complex.hexahedra.size());
   Positions reached(points.size());
   for (int round = 0; round < rounds; ++round) {
-    for_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        reached[v] = points[v] + step[v];
-    });
+    for_each(points.size(), [&](std::size_t v) { reached[v] = points[v] + step[v]; });
     batches.for_each([&](std::size_t i) {
       const Hexahedron_frame<Lanes> frame = batches.frame(i, reached);
       Lanes lowest = Corner_frame<Lanes>(frame, 0).scaled_jacobian;

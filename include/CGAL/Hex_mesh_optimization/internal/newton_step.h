@@ -9,6 +9,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
 #include <cstddef>
 #include <vector>
@@ -27,19 +28,20 @@ double newton_step(const Value& value, const Assemble& assemble, const Restrict&
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
   assemble(points, gradient, matrix);
-  for (Vector_3& g : gradient)
-    g = -g;
+  for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
   matrix.solve(gradient, is_fixed, parameters.solver_tolerance, parameters.solver_iterations, direction);
   restrict_step(direction);
-  double slope = 0;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    slope -= gradient[v].dot(direction[v]);
+  const double slope = -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t v = begin; v < end; ++v)
+      sum += gradient[v].dot(direction[v]);
+    return sum;
+  });
   const double start = value(points);
   Positions trial(points.size());
   double t = 1;
   for (int i = 0; i < parameters.line_search_steps; ++i, t /= 2) {
-    for (std::size_t v = 0; v < points.size(); ++v)
-      trial[v] = points[v] + t * direction[v];
+    for_each(points.size(), [&](std::size_t v) { trial[v] = points[v] + t * direction[v]; });
     const double reached = value(trial);
     if (reached <= start + parameters.armijo * t * slope) {
       points.swap(trial);

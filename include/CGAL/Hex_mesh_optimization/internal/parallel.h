@@ -7,8 +7,6 @@
 // Loops that several threads share. What they compute does not depend on how many
 // there are: work is cut into the same ranges, and sums are taken in their order.
 
-#include <CGAL/tags.h>
-
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -16,29 +14,28 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// Calls work() so that the loops in it run in one thread, or, with Parallel_tag, in those of the caller's task arena.
-template <class ConcurrencyTag, class Work>
-void run_concurrently(const Work& work)
+// Calls work() so that the loops in it run in one thread, or else in those of the caller's task arena.
+template <class Work>
+void run_concurrently(bool is_parallel, const Work& work)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value)
+  if (is_parallel)
     work();
   else
     tbb::task_arena(1).execute(work);
 #else
-  static_assert(!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value, "CGAL::Parallel_tag requires TBB");
+  (void)is_parallel;
   work();
 #endif
 }
 
-// Calls work(i) for 0 … n-1, in any order.
+// Calls work(i) for 0 … n-1, in any order: a task each.
 template <class Work>
 void for_each_index(std::size_t n, const Work& work)
 {
@@ -60,6 +57,16 @@ void for_ranges(std::size_t n, const Work& work, std::size_t grain = default_gra
   if (n <= grain)
     return work(std::size_t(0), n);
   for_each_index((n + grain - 1) / grain, [&](std::size_t i) { work(i * grain, (std::min)(n, (i + 1) * grain)); });
+}
+
+// Calls work(i) for 0 … n-1, in any order, where each takes some tens of nanoseconds.
+template <class Work>
+void for_each(std::size_t n, const Work& work, std::size_t grain = default_grain)
+{
+  for_ranges(n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      work(i);
+  }, grain);
 }
 
 // The results of work(begin, end) for ranges that together are 0 … n-1, in order.

@@ -7,6 +7,7 @@
 // The definition of run_engine().
 
 #include <CGAL/Hex_mesh_optimization/internal/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/run_engine.h>
 
 #include <utility>
@@ -17,12 +18,15 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
-Status run_engine(Positions& points, std::vector<Hexahedron> hexahedra, const Reference_input* reference,
-                  std::vector<char> is_frozen, const Optimization_parameters& parameters)
+Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
+                  const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
 {
-  Hex_mesh_optimizer optimizer(points, std::move(hexahedra), reference, std::move(is_frozen), parameters);
-  Status status = optimizer.run();
-  points = optimizer.positions();
+  Status status;
+  run_concurrently(parameters.is_parallel, [&] {
+    Hex_mesh_optimizer optimizer(points, hexahedra, reference, is_frozen, parameters);
+    status = optimizer.run();
+    points = optimizer.positions();
+  });
   return status;
 }
 
