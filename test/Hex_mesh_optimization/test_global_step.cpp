@@ -445,8 +445,8 @@ void for_all_settings(Test test)
         break;
       case 5: {
         const auto& q = s.complex.boundary_faces[2].vertices;
-        s.links.push_back({{q[0], q[1], q[2]}, {.5, .2, .3}, random_vector(random, 2), 1., 0., Vector_3::Zero()});
-        s.links.push_back({{q[0], q[2], q[3]}, {.1, .8, .1}, random_vector(random, 2), 1., 0., Vector_3::Zero()});
+        s.links.push_back({{q[0], q[1], q[2]}, {.5, .2, .3}, random_vector(random, 2), 1., 0., 0, true, Vector_3::Zero()});
+        s.links.push_back({{q[0], q[2], q[3]}, {.1, .8, .1}, random_vector(random, 2), 1., 0., 0, true, Vector_3::Zero()});
         s.link_weights = {3., .7};
         break;
       }

@@ -184,31 +184,43 @@ private:
   void add_derivatives(std::size_t f, const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
     const std::array<int, 4>& corners = complex_.boundary_faces[f].vertices;
-    Matrix_3 blocks[4][4];
-    for (int i = 0; i < 4; ++i)
+    using Symmetric = Eigen::Matrix<double, 6, 1>; // xx, xy, xz, yy, yz, zz: as shares are numbers, all blocks are symmetric
+    Symmetric blocks[4][4];
+    Vector_3 gradients[4];
+    for (int i = 0; i < 4; ++i) {
+      gradients[i].setZero();
       for (int j = 0; j <= i; ++j)
         blocks[i][j].setZero();
+    }
     for (int sample : of_face_[f]) {
       const Attachment_sample& s = samples_[sample];
       const Vector_3 offset = s.offset(points);
       const double square = s.scale * s.scale, weight = tightness * s.weight * s.strain / square;
       const Distance_energy::Derivatives e = energy_.derivatives(offset.norm() / s.scale);
-      const Matrix_3 hessian = weight * (e.slope * s.projector + e.growth / square * offset * offset.transpose());
+      const Vector_3 force = weight * e.slope * offset, o = weight * e.growth / square * offset;
+      const Matrix_3& P = s.projector;
+      const double slope = weight * e.slope;
+      Symmetric hessian;
+      hessian << slope * P(0, 0) + o[0] * offset[0], slope * P(0, 1) + o[0] * offset[1], slope * P(0, 2) + o[0] * offset[2],
+        slope * P(1, 1) + o[1] * offset[1], slope * P(1, 2) + o[1] * offset[2], slope * P(2, 2) + o[2] * offset[2];
       double shares[4] = {0, 0, 0, 0};
       for (int k = 0; k < s.count; ++k)
         shares[std::find(corners.begin(), corners.end(), s.vertices[k]) - corners.begin()] = s.shares[k];
       for (int i = 0; i < 4; ++i) {
         if (shares[i] == 0)
           continue;
-        gradient[corners[i]] += weight * e.slope * shares[i] * offset;
+        gradients[i] += shares[i] * force;
         for (int j = 0; j <= i; ++j)
-          if (shares[j] != 0)
-            blocks[i][j] += shares[i] * shares[j] * hessian;
+          blocks[i][j] += shares[i] * shares[j] * hessian;
       }
     }
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j <= i; ++j)
-        matrix.add(corners[i], corners[j], blocks[i][j]);
+    for (int i = 0; i < 4; ++i) {
+      gradient[corners[i]] += gradients[i];
+      for (int j = 0; j <= i; ++j) {
+        const Symmetric& b = blocks[i][j];
+        matrix.add(corners[i], corners[j], (Matrix_3() << b[0], b[1], b[2], b[1], b[3], b[4], b[2], b[4], b[5]).finished());
+      }
+    }
   }
 
   // Gives a sample the weight that follows from what it is on.
