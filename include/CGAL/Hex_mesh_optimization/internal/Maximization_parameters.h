@@ -30,8 +30,8 @@ struct Maximization_parameters
   double poor_shape_weight = .545;
   // Once the mesh has relaxed, both are multiplied by balance / (offset + 1 − average scaled Jacobian): the nearer the
   // angles are to perfect, the more there is to gain from shape, and the less it costs.
-  double shape_balance = .0423;
-  double shape_balance_offset = .009;
+  double shape_balance = .0386;
+  double shape_balance_offset = .005;
 
   // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of the
   // first phase. Those of the boundary stay: adapted too, they let single rows of its quads collapse (measured: the
@@ -41,9 +41,9 @@ struct Maximization_parameters
   // --- Attachment of the boundary ---
   // Slope of the energy over the distance d, in a mesh whose mean boundary edge is one fiftieth of the diagonal of the
   // reference. In proportion to the edge: what counts is the deviation of the model, not that of one edge.
-  double attachment_weight = 1.17;
+  double attachment_weight = 1.2;
   double typical_edge = .02;
-  double size_exponent = 1.32;
+  double size_exponent = 1.36;
   // Factor for a reference of its own. The boundary of a mesh, taken for its own reference, is as rough as the mesh.
   double trust = 5;
   // Below this the energy is quadratic, above linear: with the square of d the same average deviation buys less quality.
@@ -56,11 +56,11 @@ struct Maximization_parameters
   // for the area, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
   double edge_sample_weight = .5;
   // Of samples of the reference, per area of one squared edge, and per edge length of a feature curve.
-  double pull_weight = 9.8;
+  double pull_weight = 10.2;
   double curve_pull_weight = .5;
   double reference_spacing = .8; // in mean boundary edges
   // Factor for features.
-  double feature_weight = 5.3;
+  double feature_weight = 4.6;
   // Samples keep their targets until they have moved this far.
   double still_distance = .02;
 
