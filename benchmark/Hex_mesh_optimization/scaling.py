@@ -4,7 +4,8 @@
 """Optimizes one solid at growing resolution and prints, as CSV, the time of each stage, memory, and growth: the
 exponent k of "time grows as n^k" between a mesh of n hexahedra and the one before it.
 
-scaling.py [--programs build/bin] [--family ball] [--corrupt scramble] [--amount .3] [SIZE ...]"""
+scaling.py [--programs build/bin] [--family ball] [--corrupt scramble] [--amount .3] [--threads 1] [SIZE ...]
+scaling.py [--programs build/bin] --mesh FILE [--threads 1] [PARTS ...]   each hexahedron of a mesh in PARTS³"""
 
 import argparse
 import csv
@@ -19,32 +20,38 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 parser.add_argument("sizes", nargs="*", type=int, default=[4, 8, 16], help="cells along the shortest side")
 parser.add_argument("--programs", default="build/bin", help="folder of generate_hex_mesh and optimize_hex_mesh")
 parser.add_argument("--family", default="ball", help="of generate_hex_mesh")
+parser.add_argument("--mesh", help="subdivide this mesh, in the place of a family")
+parser.add_argument("--threads", default="1", help="of optimize_hex_mesh")
 parser.add_argument("--corrupt", help="of generate_hex_mesh: scramble, rotate or displace")
 parser.add_argument("--amount", help="of generate_hex_mesh")
 arguments = parser.parse_args()
 
 table = csv.writer(sys.stdout, lineterminator="\n")
-table.writerow(["hexahedra", "cpu_seconds", "growth", "set_up_and_measure_seconds", "rectification_seconds", "maximization_seconds",
+table.writerow(["hexahedra", "cpu_seconds", "growth", "wall_seconds", "set_up_and_measure_seconds", "rectification_seconds", "maximization_seconds",
                 "microseconds_per_hexahedron", "MiB", "minimum", "average", "invalid"])
 before = None
 for size in arguments.sizes:
     with tempfile.TemporaryDirectory() as folder:
         mesh = os.path.join(folder, "mesh.vtk")
-        generate = [os.path.join(arguments.programs, "generate_hex_mesh"), arguments.family, mesh, "--refine", str(size)]
+        generate = [os.path.join(arguments.programs, "generate_hex_mesh"), "of_file" if arguments.mesh else arguments.family, mesh,
+                    "--refine", str(size)]
+        if arguments.mesh:
+            generate += ["--input", arguments.mesh]
         if arguments.corrupt:
             generate += ["--corrupt", arguments.corrupt]
         if arguments.amount:
             generate += ["--amount", arguments.amount]
         if Cost(generate, sys.stderr).exit_code != 0:
             sys.exit("scaling.py: generate_hex_mesh failed")
-        cost, status = optimize(os.path.join(arguments.programs, "optimize_hex_mesh"), mesh, os.path.join(folder, "out.vtk"))
+        cost, status = optimize(os.path.join(arguments.programs, "optimize_hex_mesh"), mesh, os.path.join(folder, "out.vtk"),
+                                ["--threads", arguments.threads])
     if status is None:
         sys.exit(f"scaling.py: optimize_hex_mesh failed on size {size}")
     after = status["after"]
     n = after["number_of_hexahedra"]
     growth = "" if before is None else f"{math.log(cost.cpu / before[1]) / math.log(n / before[0]):.2f}"
     stages = status["rectification_seconds"], status["maximization_seconds"]
-    table.writerow([n, f"{cost.cpu:.2f}", growth, f"{status['total_seconds'] - sum(stages):.2f}", *(f"{s:.2f}" for s in stages),
+    table.writerow([n, f"{cost.cpu:.2f}", growth, f"{cost.wall:.2f}", f"{status['total_seconds'] - sum(stages):.2f}", *(f"{s:.2f}" for s in stages),
                     f"{1e6 * cost.cpu / n:.0f}", f"{cost.memory:.0f}", f"{after['minimum']:.4f}", f"{after['average']:.4f}",
                     after["number_of_invalid"]])
     sys.stdout.flush()

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes a hexahedral mesh of a simple solid, tangled on request.
+// Writes a hexahedral mesh of a simple solid, or the subdivision of another mesh, tangled on request.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_subdivision.h>
 
 #include <CLI/CLI.hpp>
 
@@ -27,6 +28,7 @@ using Hexahedra = std::vector<std::array<std::size_t, 8>>;
 
 int main(int argc, char** argv)
 {
+  std::string input;
   // At refinement n; the numbers of cells are chosen to keep them near cubes
   const std::map<std::string, std::function<void(Points&, Hexahedra&, std::size_t)>> families = {
     {"ball", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ball(p, h, 2 * n); }},
@@ -36,6 +38,10 @@ int main(int argc, char** argv)
     {"cylinder", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_cylinder(p, h, 2 * n, 4 * n); }},
     {"l_shape", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_l_shape(p, h, n); }},
     {"plate_with_hole", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_plate_with_hole(p, h, 2 * n, n); }},
+    {"of_file", [&input](Points& p, Hexahedra& h, std::size_t n) {
+       CGAL::IO::read_hex_mesh(input, p, h);
+       HMO::subdivide_hex_mesh(p, h, n);
+     }},
     {"ring", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ring(p, h, 9 * n, n); }},
     {"t_shape", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_t_shape(p, h, n); }},
     {"twisted_bar", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 6 * n, n, 6, 1, HMO::internal::pi / 2, HMO::internal::pi); }}};
@@ -43,15 +49,16 @@ int main(int argc, char** argv)
   for (const auto& family : families)
     family_names.push_back(family.first);
 
-  CLI::App app("Writes a hexahedral mesh of a simple solid, tangled on request.");
+  CLI::App app("Writes a hexahedral mesh of a simple solid, or the subdivision of another mesh, tangled on request.");
   std::string family, output, corruption;
   std::size_t refinement = 4;
   std::uint64_t seed = 1;
   double amount = 0;
-  app.add_option("family", family, "the solid")->required()->check(CLI::IsMember(family_names));
+  app.add_option("family", family, "the solid; of_file divides every hexahedron of the input")->required()->check(CLI::IsMember(family_names));
   app.add_option("output", output, "the file to write; its extension chooses the format")->required();
   app.add_option("-n,--refine", refinement, "cells along the shortest side")
     ->check(CLI::Range(1, 1000))->capture_default_str();
+  app.add_option("--input", input, "the mesh that of_file subdivides")->check(CLI::ExistingFile);
   app.add_option("--corrupt", corruption,
                  "scramble: move all interior vertices; rotate: turn hexahedra about their centers; "
                  "displace: move one interior vertex")
@@ -66,6 +73,11 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   if (amount_option->count() != 0 && corruption.empty()) {
     std::cerr << "--amount needs --corrupt\n";
+    return EXIT_FAILURE;
+  }
+
+  if ((family == "of_file") == input.empty()) {
+    std::cerr << "of_file and --input need each other\n";
     return EXIT_FAILURE;
   }
 

@@ -310,7 +310,7 @@ TYPED_TEST(Exception_safety, of_an_allocation_that_fails)
   const auto brief = params::optimization_method(HMO::Method::RECTIFICATION)
                        .number_of_iterations(1).number_of_restarts(0).maximize_minimum_quality(false);
   for (bool with_reference : {false, true})
-    expect_unchanged_without_memory<TypeParam>(with_reference, brief, 100, 50);
+    expect_unchanged_without_memory<TypeParam>(with_reference, brief, 100, 10);
 }
 
 TEST(Exception_safety_of_all_stages, of_an_allocation_that_fails)

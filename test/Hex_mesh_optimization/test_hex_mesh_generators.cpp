@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_subdivision.h>
 #include <CGAL/Hex_mesh_optimization/internal/hexahedron.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -307,6 +308,34 @@ TEST(Generator_parameters, are_refused_where_nothing_can_be_meshed)
   EXPECT_THROW(HMO::make_plate_with_hole(points, hexahedra, 2, 1, 2, 1), HMO::Input_error);
   EXPECT_THROW(HMO::make_ring(points, hexahedra, 2, 1), HMO::Input_error);
   EXPECT_THROW(HMO::make_ring(points, hexahedra, 8, 1, 2, 1), HMO::Input_error);
+}
+
+// A block divided is the block with more cells, up to the numbering
+TEST(Subdivision, of_a_block_is_a_finer_block)
+{
+  for (std::size_t n : {1, 2, 3}) {
+    Points coarse, fine;
+    Hexahedra coarse_cells, fine_cells;
+    HMO::make_block(coarse, coarse_cells, {{2, 3, 1}}, {{2, 3, 1}});
+    HMO::make_block(fine, fine_cells, {{2 * n, 3 * n, n}}, {{2, 3, 1}});
+    const Points given = coarse;
+    HMO::subdivide_hex_mesh(coarse, coarse_cells, n);
+    ASSERT_EQ(coarse.size(), fine.size());
+    ASSERT_EQ(coarse_cells.size(), fine_cells.size());
+    EXPECT_TRUE(std::equal(given.begin(), given.end(), coarse.begin()));
+    const auto cells = [](const Points& points, const Hexahedra& hexahedra) {
+      std::multiset<std::array<long, 24>> result; // coordinates of the corners, rounded
+      for (const auto& h : hexahedra) {
+        std::array<long, 24> key;
+        for (int c = 0; c < 8; ++c)
+          for (int d = 0; d < 3; ++d)
+            key[3 * c + d] = std::lround(1e6 * points[h[c]][d]);
+        result.insert(key);
+      }
+      return result;
+    };
+    EXPECT_EQ(cells(coarse, coarse_cells), cells(fine, fine_cells));
+  }
 }
 
 } // namespace

@@ -5,8 +5,10 @@
 // hand, and the meshes that have no usable connectivity.
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/internal/Conflict_free_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/Edge_cones.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/Memory_order.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -17,6 +19,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <mutex>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -474,6 +478,85 @@ TEST(Hexahedral_complex, accepts_components_apart)
   const Hexahedral_complex complex(block.points.size(), {block.hexahedra[0], block.hexahedra[2]});
   EXPECT_EQ(complex.boundary_faces.size(), 12u);
   EXPECT_EQ(complex.interior_faces.size(), 0u);
+}
+
+// --- Order in memory --------------------------------------------------------------------------------------
+
+TEST(Memory_order, brings_neighbors_together_and_back)
+{
+  const Block block(6, 5, 4);
+  std::mt19937 random(1);
+  std::vector<int> shuffled(block.points.size());
+  for (std::size_t v = 0; v < shuffled.size(); ++v)
+    shuffled[v] = static_cast<int>(v);
+  std::shuffle(shuffled.begin(), shuffled.end(), random);
+  Hexahedra hexahedra = block.hexahedra;
+  for (Hexahedron& h : hexahedra)
+    for (int& v : h)
+      v = shuffled[v];
+  std::shuffle(hexahedra.begin(), hexahedra.end(), random);
+  const std::size_t n = block.points.size() + 3; // the last three are not used
+  const Memory_order order(Hexahedral_complex(n, hexahedra));
+
+  std::vector<int> given(n);
+  for (std::size_t v = 0; v < n; ++v)
+    given[v] = static_cast<int>(v);
+  const std::vector<int> ordered = order.ordered(given);
+  EXPECT_EQ(std::set<int>(ordered.begin(), ordered.end()).size(), n);
+  EXPECT_EQ(order.as_given(ordered), given);
+  for (std::size_t v = 0; v < n; ++v)
+    EXPECT_EQ(order.given_vertex(v), ordered[v]);
+  for (int k = 1; k <= 3; ++k)
+    EXPECT_GE(ordered[n - k], static_cast<int>(block.points.size()));
+
+  const Hexahedra cells = order.ordered(hexahedra);
+  std::set<int> seen;
+  int widest = 0;
+  for (std::size_t h = 0; h < cells.size(); ++h) {
+    seen.insert(order.given_hexahedron(h));
+    for (int i = 0; i < 8; ++i)
+      EXPECT_EQ(ordered[cells[h][i]], hexahedra[order.given_hexahedron(h)][i]);
+    const auto [low, high] = std::minmax_element(cells[h].begin(), cells[h].end());
+    widest = (std::max)(widest, *high - *low);
+    if (h > 0) {
+      EXPECT_LE(*std::min_element(cells[h - 1].begin(), cells[h - 1].end()), *low);
+    }
+  }
+  EXPECT_EQ(seen.size(), cells.size());
+  EXPECT_LT(widest, 3 * 6 * 5) << "three layers of vertices";
+  EXPECT_TRUE(order.ordered(std::vector<char>()).empty());
+}
+
+// --- Elements that conflict -----------------------------------------------------------------------------
+
+TEST(Conflict_free_ranges, visit_every_element_once_and_neighbors_in_turn)
+{
+  const Block block(20, 20, 20);
+  for (std::size_t size_of_range : {1, 7, 64, 100000}) {
+    const Conflict_free_ranges ranges(block.hexahedra.size(), block.points.size(), size_of_range,
+                                      [&](std::size_t h) -> const Hexahedron& { return block.hexahedra[h]; });
+    EXPECT_GE(ranges.number_of_colors(), size_of_range < 8000 ? 2u : 1u);
+    std::vector<int> visits(block.hexahedra.size(), 0), users(block.points.size(), 0);
+    std::mutex mutex;
+    bool is_conflict = false;
+    ranges.for_ranges([&](std::size_t begin, std::size_t end) {
+      ASSERT_LE(end - begin, size_of_range);
+      const auto use = [&](int change) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        std::set<int> vertices;
+        for (std::size_t h = begin; h < end; ++h)
+          vertices.insert(block.hexahedra[h].begin(), block.hexahedra[h].end());
+        for (int v : vertices)
+          is_conflict = (users[v] += change) > 1 || is_conflict;
+      };
+      use(1);
+      for (std::size_t h = begin; h < end; ++h)
+        ++visits[h];
+      use(-1);
+    });
+    EXPECT_FALSE(is_conflict);
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), static_cast<long>(visits.size()));
+  }
 }
 
 } // namespace

@@ -30,6 +30,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -85,9 +86,10 @@ public:
                      const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
-    , order_(memory_order(points, hexahedra))
+    , hexahedra_(oriented(points, hexahedra, reversed_))
+    , order_(Hexahedral_complex(points.size(), hexahedra_))
     , given_(order_.ordered(points))
-    , complex_(oriented(given_, order_.ordered(hexahedra), reversed_))
+    , complex_(points.size(), order_.ordered(hexahedra_))
     , is_frozen_(order_.ordered(is_frozen))
   {
     if (reference)
@@ -101,7 +103,7 @@ public:
   {
     Status status;
     status.orientation_reversed = reversed_;
-    status.before = quality_statistics(given_, complex_.hexahedra);
+    status.before = statistics(given_);
     Positions best = points_;
     const Edge_relations relations(complex_);
     const std::vector<double> lengths = target_lengths(relations);
@@ -179,28 +181,24 @@ private:
       }
   }
 
-  // All errors in the mesh are found here, while its elements still have the numbers that the user knows.
-  static Memory_order memory_order(const Positions& points, const std::vector<Hexahedron>& hexahedra)
+  // Bottom and top are exchanged if the hexahedra are numbered inside out. All errors in the mesh are found here, while its
+  // elements have the numbers that the caller knows.
+  static std::vector<Hexahedron> oriented(const Positions& points, std::vector<Hexahedron> hexahedra, bool& reversed)
   {
     check(points, hexahedra);
     const Hexahedral_complex complex(points.size(), hexahedra);
     if (complex.boundary_faces.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
-    return Memory_order(complex);
+    reversed = enclosed_volume(points, complex) < 0;
+    if (reversed)
+      for (Hexahedron& h : hexahedra)
+        for (int i = 0; i < 4; ++i)
+          std::swap(h[i], h[i + 4]);
+    return hexahedra;
   }
 
-  // Bottom and top are exchanged if the hexahedra are numbered inside out.
-  static Hexahedral_complex oriented(const Positions& points, std::vector<Hexahedron> hexahedra, bool& reversed)
-  {
-    Hexahedral_complex complex(points.size(), std::move(hexahedra));
-    reversed = enclosed_volume(points, complex) < 0;
-    if (!reversed)
-      return complex;
-    for (Hexahedron& h : complex.hexahedra)
-      for (int i = 0; i < 4; ++i)
-        std::swap(h[i], h[i + 4]);
-    return Hexahedral_complex(points.size(), std::move(complex.hexahedra));
-  }
+  // As the caller finds it, sums in the same order.
+  Quality_statistics statistics(const Positions& points) const { return quality_statistics(order_.as_given(points), hexahedra_); }
 
   // Six times the volume within the boundary, up to scale: a tangled interior, however far out, does not matter.
   static double enclosed_volume(const Positions& points, const Hexahedral_complex& complex)
@@ -286,14 +284,21 @@ private:
   std::vector<double> target_lengths(const Edge_relations& relations) const
   {
     if (parameters_.target_length) {
+      // asked for in the order that edges have with the caller's vertices
+      std::vector<std::pair<std::array<int, 2>, std::size_t>> given_edges;
+      for (std::size_t e = 0; e < complex_.edges.size(); ++e) {
+        const auto [low, high] = std::minmax({order_.given_vertex(complex_.edges[e][0]), order_.given_vertex(complex_.edges[e][1])});
+        given_edges.push_back({{low, high}, e});
+      }
+      std::sort(given_edges.begin(), given_edges.end());
       std::vector<double> lengths(complex_.edges.size());
-      for (std::size_t e = 0; e < lengths.size(); ++e) {
-        const int source = order_.given_vertex(complex_.edges[e][0]), target = order_.given_vertex(complex_.edges[e][1]);
-        const double given = parameters_.target_length(source, target);
+      for (std::size_t i = 0; i < given_edges.size(); ++i) {
+        const auto& [vertices, e] = given_edges[i];
+        const double given = parameters_.target_length(vertices[0], vertices[1]);
         if (!(given > 0) || !std::isfinite(given))
-          throw Input_error(Input_error::Element::PARAMETER, e,
-                            "the target length of the edge from vertex " + std::to_string(source) + " to vertex " +
-                              std::to_string(target) + " is not positive and finite");
+          throw Input_error(Input_error::Element::PARAMETER, i,
+                            "the target length of the edge from vertex " + std::to_string(vertices[0]) + " to vertex " +
+                              std::to_string(vertices[1]) + " is not positive and finite");
         lengths[e] = given / unit_;
       }
       return lengths;
@@ -318,7 +323,7 @@ private:
 
   void finish(Status& status)
   {
-    status.after = quality_statistics(result_, complex_.hexahedra);
+    status.after = statistics(result_);
     status.deviation = measured_deviation(result_);
     status.deviation_bound = parameters_.maximum_deviation;
     if (is_worse(status.after, status.before) || leaves_bound(status)) {
@@ -394,9 +399,10 @@ private:
 
   const Optimization_parameters parameters_;
   Run_control control_;
-  const Memory_order order_; // in which all that follows is
-  const Positions given_;
   bool reversed_ = false;
+  const std::vector<Hexahedron> hexahedra_; // as given, but for their orientation
+  const Memory_order order_;                // in which all that follows is
+  const Positions given_;
   const Hexahedral_complex complex_;
   const std::vector<char> is_frozen_;
   double unit_ = 1;

@@ -47,8 +47,25 @@ inline std::array<double, 3> closest_point_of_triangle(const Vector_3& p, const 
   const double va = d3 * d6 - d5 * d4, along = d4 - d3, back = d5 - d6;
   if (va <= 0 && along >= 0 && back >= 0 && along + back > 0)
     return {0, back / (along + back), along / (along + back)};
-  const double sum = va + vb + vc;
-  return sum > 0 ? std::array<double, 3>{va / sum, vb / sum, vc / sum} : std::array<double, 3>{1, 0, 0};
+  const double sum = va + vb + vc; // the square of twice the area
+  if (sum > 1e-10 * ab.squaredNorm() * ac.squaredNorm())
+    return {va / sum, vb / sum, vc / sum};
+  // a needle, of which rounding hides where p projects to: the closest point of its edges is as good
+  const Vector_3 corners[3] = {a, b, c};
+  std::array<double, 3> best{1, 0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const Vector_3 &from = corners[k], edge = corners[(k + 1) % 3] - from;
+    const double square = edge.squaredNorm(), t = square > 0 ? (std::max)(0.0, (std::min)(1.0, edge.dot(p - from) / square)) : 0.0;
+    const double distance = (from + t * edge - p).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      best = {0, 0, 0};
+      best[k] = 1 - t;
+      best[(k + 1) % 3] = t;
+    }
+  }
+  return best;
 }
 
 inline Surface_point closest_point_of_triangle(const Vector_3& p, std::size_t triangle, const Positions& points,
