@@ -57,24 +57,27 @@ public:
     global_.fix(is_fixed);
   }
 
-  // Improves points until nothing moves or control ends the run; leaves in them
-  // the best state met, the one that came in included.
-  void run(Positions& points, Run_control& control, double target_quality)
+  // Improves points until nothing moves, the target is reached or no more hexahedra are inverted than tolerated, or control
+  // ends the run; leaves in them the best state met, the one that came in included.
+  void run(Positions& points, Run_control& control, double target_quality, std::size_t tolerated = 0)
   {
     Best best{points, Mesh_quality(complex_, points)};
     best.highest_minimum = best.quality.minimum;
     best.least_minimum = best.quality.invalid == 0 ? best.quality.minimum : -1;
     iteration_ = 0;
     is_valid_ = best.quality.invalid == 0;
+    const auto is_enough = [&] {
+      return best.quality_reaches(target_quality) || (tolerated > 0 && best.quality.inverted <= tolerated);
+    };
     for (std::size_t restart = 0; restart <= parameters_.restarts && !control.is_stopped(); ++restart) {
       global_.set_target_lengths(lengths_);
       for (std::size_t i = 0; i < parameters_.iterations; ++i) {
         const double anchor = parameters_.tangential_anchor * std::pow(parameters_.tangential_fade, double(i));
         const bool moved = iterate(points, anchor, best, control, false);
-        if (control.is_stopped() || !moved || best.quality_reaches(target_quality))
+        if (control.is_stopped() || !moved || is_enough())
           break;
       }
-      if (best.quality_reaches(target_quality))
+      if (is_enough())
         break;
       if (restart < parameters_.restarts && !update_lengths(points))
         break;

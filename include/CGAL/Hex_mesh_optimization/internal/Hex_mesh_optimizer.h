@@ -108,11 +108,11 @@ public:
     const Edge_relations relations(complex_);
     const std::vector<double> lengths = target_lengths(relations);
     const double start = control_.seconds();
-    if (parameters_.method != Method::MAXIMIZATION)
+    if (parameters_.method != Method::MAXIMIZATION && !control_.check_time())
       rectify(best, relations, lengths, 2 * status.before.number_of_inverted > complex_.hexahedra.size());
     const double middle = control_.seconds();
     status.rectification_seconds = middle - start;
-    if (parameters_.method != Method::RECTIFICATION && !control_.is_stopped()) {
+    if (parameters_.method != Method::RECTIFICATION && !control_.check_time()) {
       maximize_quality(best, lengths, relations);
       status.maximization_seconds = control_.seconds() - middle;
     }
@@ -126,22 +126,32 @@ public:
 private:
   void rectify(Positions& points, const Edge_relations& relations, const std::vector<double>& lengths, bool starts_harmonic)
   {
-    // quality maximization takes over from any valid state
-    const double target = parameters_.method == Method::FULL ? (std::min)(0.0, parameters_.target_quality) : parameters_.target_quality;
-    const auto run = [&](Positions& p) {
-      Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification).run(p, control_, target);
-    };
+    const std::size_t tolerated = parameters_.method == Method::FULL ? left_to_untangling() : 0;
     if (starts_harmonic)
       harmonic_start(complex_, *attachment_, points);
-    run(points);
-    if (!starts_harmonic && !control_.is_stopped() && Mesh_quality(complex_, points).invalid > 0) {
+    rectify(points, relations, lengths, tolerated);
+    if (!starts_harmonic && !control_.is_stopped() && (tolerated > 0 ? Mesh_quality(complex_, points).inverted > tolerated
+                                                                     : Mesh_quality(complex_, points).invalid > 0)) {
       // what the given interior locks, another start may not
       Positions other = points_;
       harmonic_start(complex_, *attachment_, other);
-      run(other);
+      rectify(other, relations, lengths, tolerated);
       if (Mesh_quality(complex_, other).inverted < Mesh_quality(complex_, points).inverted)
         points = std::move(other);
     }
+  }
+
+  void rectify(Positions& points, const Edge_relations& relations, const std::vector<double>& lengths, std::size_t tolerated)
+  {
+    // quality maximization takes over from any valid state
+    const double target = parameters_.method == Method::FULL ? (std::min)(0.0, parameters_.target_quality) : parameters_.target_quality;
+    Edge_cone_rectification(complex_, relations, *surface_, *attachment_, lengths, parameters_.rectification)
+      .run(points, control_, target, tolerated);
+  }
+
+  std::size_t left_to_untangling() const
+  {
+    return static_cast<std::size_t>(parameters_.left_to_untangling * static_cast<double>(complex_.hexahedra.size()));
   }
 
   void maximize_quality(Positions& points, const std::vector<double>& lengths, const Edge_relations& relations)
@@ -152,8 +162,17 @@ private:
     std::vector<char> is_fixed(complex_.number_of_vertices());
     for (std::size_t v = 0; v < is_fixed.size(); ++v)
       is_fixed[v] = attachment_->kind[v] == Vertex_kind::FIXED;
-    if (Mesh_quality(complex_, points).inverted > 0)
-      Untangling(complex_, attachment, lengths, is_fixed, maximization).run(points, control_);
+    std::size_t inverted = Mesh_quality(complex_, points).inverted;
+    if (inverted > 0) {
+      const bool was_left = parameters_.method == Method::FULL && inverted <= left_to_untangling();
+      Untangling untangling(complex_, attachment, lengths, is_fixed, maximization);
+      untangling.run(points, control_);
+      inverted = Mesh_quality(complex_, points).inverted;
+      if (was_left && inverted > 0 && !control_.is_stopped()) {
+        rectify(points, relations, lengths, std::size_t(0));
+        untangling.run(points, control_);
+      }
+    }
     const bool are_estimated = !parameters_.target_length && parameters_.target_edge_lengths == Target_edge_lengths::ESTIMATED;
     Quality_maximization(complex_, attachment, lengths, are_estimated ? &relations : nullptr, is_fixed, maximization)
       .run(points, control_, parameters_.target_quality);

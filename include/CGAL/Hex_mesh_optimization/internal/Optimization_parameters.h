@@ -55,6 +55,9 @@ struct Optimization_parameters
   Feature_parameters features;
   Rectification_parameters rectification;
   Maximization_parameters maximization;
+  // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails: in a
+  // large mesh it takes many iterations for the last ones.
+  double left_to_untangling = 1e-4;
   double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
 };
 
