@@ -30,7 +30,7 @@ struct Maximization_parameters
   double poor_shape_weight = .545;
   // Once the mesh has relaxed, both are multiplied by balance / (offset + 1 − average scaled Jacobian): the nearer the
   // angles are to perfect, the more there is to gain from shape, and the less it costs.
-  double shape_balance = .0386;
+  double shape_balance = .038;
   double shape_balance_offset = .005;
 
   // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of the
@@ -41,7 +41,7 @@ struct Maximization_parameters
   // --- Attachment of the boundary ---
   // Slope of the energy over the distance d, in a mesh whose mean boundary edge is one fiftieth of the diagonal of the
   // reference. In proportion to the edge: what counts is the deviation of the model, not that of one edge.
-  double attachment_weight = 1.2;
+  double attachment_weight = 1.21;
   double typical_edge = .02;
   double size_exponent = 1.36;
   // Factor for a reference of its own. The boundary of a mesh, taken for its own reference, is as rough as the mesh.
