@@ -7,6 +7,8 @@
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
 
+#include "mesh_checks.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Linear_cell_complex_for_generalized_map.h>
@@ -18,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -103,21 +104,6 @@ void make_mesh(std::vector<Point>& points, std::vector<Hexahedron>& hexahedra)
   hexahedra = {{5, 6, 8, 7, 9, 10, 12, 11}, {1, 2, 4, 3, 5, 6, 8, 7}};
 }
 
-template <class Point>
-bool same_bits(const std::vector<Point>& p, const std::vector<Point>& q)
-{
-  if(p.size() != q.size())
-    return false;
-  for(std::size_t i = 0; i < p.size(); ++i)
-    for(int j = 0; j < 3; ++j)
-    {
-      const double x = p[i][j], y = q[i][j];
-      if(std::memcmp(&x, &y, sizeof(double)) != 0)
-        return false;
-    }
-  return true;
-}
-
 const std::string cube_points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
 
 std::string medit_vertices()
@@ -145,7 +131,7 @@ TEST_F(Io, all_formats_give_back_every_bit)
     {
       CGAL::IO::write_hex_mesh(path(name), points, hexahedra, CGAL::parameters::use_binary_mode(binary));
       CGAL::IO::read_hex_mesh(path(name), points_back, hexahedra_back);
-      EXPECT_TRUE(same_bits(points, points_back)) << name << binary;
+      EXPECT_TRUE(same_points(points, points_back)) << name << binary;
       EXPECT_EQ(hexahedra, hexahedra_back) << name << binary;
     }
   std::size_t files = 0;
@@ -172,7 +158,7 @@ TEST_F(Io, larger_meshes_and_other_containers)
     {
       CGAL::IO::write_hex_mesh(path(name), points, hexahedra, CGAL::parameters::use_binary_mode(binary));
       CGAL::IO::read_hex_mesh(path(name), points_back, hexahedra_back);
-      EXPECT_TRUE(same_bits(points, points_back)) << name << binary;
+      EXPECT_TRUE(same_points(points, points_back)) << name << binary;
       EXPECT_EQ(hexahedra, hexahedra_back) << name << binary;
     }
 }
@@ -204,7 +190,7 @@ void check_linear_cell_complex(const std::string& filename)
   CGAL::IO::read_hex_mesh(filename, lcc);
   CGAL::IO::write_hex_mesh(filename, lcc);
   CGAL::IO::read_hex_mesh(filename, points_back, hexahedra_back);
-  EXPECT_TRUE(same_bits(points, points_back));
+  EXPECT_TRUE(same_points(points, points_back));
   EXPECT_EQ(hexahedra, hexahedra_back);
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/optimize_hex_mesh.h>
 
 #include "Marked_vertices.h"
+#include "mesh_checks.h"
 #include "mesh_families.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -21,8 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <iterator>
 #include <limits>
 #include <ostream>
 #include <random>
@@ -148,23 +147,6 @@ std::ostream& operator<<(std::ostream& os, const Options& o)
 }
 
 // --- The guarantees -------------------------------------------------------------------------
-
-bool same_bits(const Point& a, const Point& b)
-{
-  for (int d = 0; d < 3; ++d) {
-    const double x = a[d], y = b[d];
-    if (std::memcmp(&x, &y, sizeof x) != 0)
-      return false;
-  }
-  return true;
-}
-
-std::vector<std::size_t> invalid_hexahedra(const Indexed_mesh& mesh)
-{
-  std::vector<std::size_t> result;
-  HMO::invalid_hexahedra(mesh.points, mesh.hexahedra, std::back_inserter(result));
-  return result;
-}
 
 struct Tally
 {

@@ -439,6 +439,19 @@ TEST(Overloads, with_every_parameter_at_its_default)
   EXPECT_EQ(chained, optimized(surface_mesh<Simple>(), params::default_values()));
 }
 
+// The same bits, whatever the number of threads
+TEST(Overloads, with_every_concurrency_tag)
+{
+  const auto surface = surface_mesh<Simple>();
+  Indexed_mesh sequential = tangled_mesh(), parallel = sequential, with_reference = sequential;
+  CGAL::optimize_hex_mesh<CGAL::Sequential_tag>(sequential.points, sequential.hexahedra, quick);
+  CGAL::optimize_hex_mesh<CGAL::Parallel_if_available_tag>(parallel.points, parallel.hexahedra, quick);
+  CGAL::optimize_hex_mesh<CGAL::Parallel_if_available_tag>(with_reference.points, with_reference.hexahedra, surface, quick);
+  EXPECT_EQ(coordinates(sequential.points), expected());
+  EXPECT_EQ(coordinates(parallel.points), expected());
+  EXPECT_EQ(coordinates(with_reference.points), expected_with_reference());
+}
+
 TEST(Overloads, accept_a_visitor_by_value)
 {
   Indexed_mesh mesh = tangled_mesh();

@@ -540,7 +540,8 @@ TEST(Quality_floor, never_falls_while_it_rises)
   const Maximization_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
-  Quality_floor floor(complex, parameters);
+  const Hexahedron_batches batches(complex);
+  Quality_floor floor(batches, parameters);
   std::mt19937 random(2);
   double before = 0, best = -1;
   for (int i = 0; i < 100; ++i) {
@@ -569,7 +570,8 @@ TEST(Quality_floor, rises_no_higher_than_a_part_of_the_hexahedra)
   const Maximization_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
-  Quality_floor floor(complex, parameters);
+  const Hexahedron_batches batches(complex);
+  Quality_floor floor(batches, parameters);
   Mesh_quality quality(complex, positions(mesh));
   const std::size_t poor = static_cast<std::size_t>(parameters.floor_fraction * complex.hexahedra.size()) + 1;
   for (std::size_t h = 0; h < poor; ++h)
@@ -593,7 +595,8 @@ TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
   const auto interior = std::find(complex.is_on_boundary.begin(), complex.is_on_boundary.end(), false);
   poor[interior - complex.is_on_boundary.begin()] += Vector_3(.4, .4, .3);
 
-  Quality_floor floor(complex, parameters);
+  const Hexahedron_batches batches(complex);
+  Quality_floor floor(batches, parameters);
   floor.rise(Mesh_quality(complex, good));
   std::vector<Floor> before(complex.hexahedra.size(), Floor{});
   const auto hold = [&](const Positions& points) { // returns how many corners are lifted
@@ -643,7 +646,8 @@ TEST(Quality_floor, fades_from_where_it_had_risen)
     p += random_vector(random, .1);
   const Mesh_quality quality(complex, points);
   ASSERT_GT(quality.minimum, 0);
-  Quality_floor floor(complex, parameters);
+  const Hexahedron_batches batches(complex);
+  Quality_floor floor(batches, parameters);
   floor.rise(quality);
   const double risen = floor.floors().get(0, 0);
   floor.hold(quality, points);
@@ -668,7 +672,8 @@ TEST(Quality_floor, holds_no_more_than_was_reached)
     for (Vector_3& p : points)
       p += random_vector(random, .004 * trial);
     const Mesh_quality quality(complex, points);
-    Quality_floor floor(complex, parameters);
+    const Hexahedron_batches batches(complex);
+    Quality_floor floor(batches, parameters);
     floor.hold(quality, points);
     EXPECT_LE(floor.held(), (std::max)(0., quality.minimum));
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)

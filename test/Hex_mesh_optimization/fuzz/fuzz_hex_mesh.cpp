@@ -6,12 +6,13 @@
 
 #include "Input_file.h"
 
+#include "../mesh_checks.h"
+
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -22,17 +23,6 @@ using Points = std::vector<Point>;
 using Hexahedra = std::vector<std::array<std::size_t, 8>>;
 
 std::unique_ptr<fuzz::Input_file> input_file;
-
-bool same_bits(const Points& p, const Points& q)
-{
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (int d = 0; d < 3; ++d) {
-      const double x = p[i][d], y = q[i][d];
-      if (std::memcmp(&x, &y, sizeof x) != 0)
-        return false;
-    }
-  return p.size() == q.size();
-}
 
 } // namespace
 
@@ -67,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string output = input_file->name("output");
   CGAL::IO::write_hex_mesh(output, points, hexahedra, attachments);
   CGAL::IO::read_hex_mesh(output, points_back, hexahedra_back, attachments_back);
-  fuzz::require(same_bits(points, points_back), "the points come back");
+  fuzz::require(same_points(points, points_back), "the points come back");
   fuzz::require(hexahedra == hexahedra_back, "the hexahedra come back");
   fuzz::require(attachments.hexahedron_labels == attachments_back.hexahedron_labels, "the labels come back");
   return 0;

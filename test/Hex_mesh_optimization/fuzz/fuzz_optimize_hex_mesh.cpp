@@ -9,11 +9,11 @@
 #include "Input_file.h"
 
 #include "../Marked_vertices.h"
+#include "../mesh_checks.h"
 #include "../mesh_families.h"
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
-#include <CGAL/Hex_mesh_optimization/validity.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/optimize_hex_mesh.h>
 
@@ -22,8 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -166,23 +164,6 @@ Surface_mesh read_reference(fuzz::Byte_reader& bytes)
     p = Point(q[0], q[1], q[2]);
   }
   return surface;
-}
-
-bool same_bits(const Point& p, const Point& q)
-{
-  for (int d = 0; d < 3; ++d) {
-    const double x = p[d], y = q[d];
-    if (std::memcmp(&x, &y, sizeof x) != 0)
-      return false;
-  }
-  return true;
-}
-
-std::vector<std::size_t> invalid_hexahedra(const Mesh& mesh)
-{
-  std::vector<std::size_t> result;
-  HMO::invalid_hexahedra(mesh.points, mesh.hexahedra, std::back_inserter(result));
-  return result;
 }
 
 void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_frozen, const HMO::Status& status)

@@ -127,8 +127,8 @@ struct Corner_model
   // derivative by e_i is c_i = slope · cross_i / |e_i|. With v_i = r_i n_i / |e_i| = e_i / l_i²,
   //   gradient_i = ⅔ (x n_i / |e_i| + b v_i − (x + p) c_i),
   //   H = ⅔ δ_ij (x / |e_i|² + b / l_i²) I + [n v c] M [n v c]ᵀ + growth g gᵀ,   g_i = ⅔ (b' v_i − m c_i),
-  // M positive semi-definite and in n and v only where it also is in c:
-  //   M_nn = 4/9 z, M_nc = −4/9 (x + z), M_cc = 10/9 (x + p) + 4/9 z, M_vc = −4/9 b.
+  //   M_nn = 4/9 z, M_nc = −4/9 (x + z), M_cc = 10/9 (x + p) + 4/9 z, M_vc = −4/9 b, and 0 otherwise;
+  // with x, z, p, b, growth ≥ 0 and p, b as of a mean ratio, H is positive semi-definite.
   // As n_i and v_i are parallel, the square of c is completed, and the rest is k.
   Corner_model(const Corner_frame<Real>& corner, const Real& slope, const Real* r, const Real& x, const Real& z, const Real& p,
                const Real& b, const Real& growth, const Real& b1, const Real& m)

@@ -86,10 +86,10 @@ public:
                      const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
-    , hexahedra_(oriented(points, hexahedra, reversed_))
-    , order_(Hexahedral_complex(points.size(), hexahedra_))
+    , numbering_(checked(points, hexahedra))
+    , order_(numbering_.order)
     , given_(order_.ordered(points))
-    , complex_(points.size(), order_.ordered(hexahedra_))
+    , complex_(points.size(), order_.ordered(numbering_.hexahedra))
     , is_frozen_(order_.ordered(is_frozen))
   {
     if (reference)
@@ -102,7 +102,7 @@ public:
   Status run()
   {
     Status status;
-    status.orientation_reversed = reversed_;
+    status.orientation_reversed = numbering_.is_reversed;
     status.before = statistics(given_);
     Positions best = points_;
     const Edge_relations relations(complex_);
@@ -129,19 +129,21 @@ private:
     const std::size_t tolerated = parameters_.method == Method::FULL ? left_to_untangling() : 0;
     if (starts_harmonic)
       harmonic_start(complex_, *attachment_, points);
-    rectify(points, relations, lengths, tolerated);
-    if (!starts_harmonic && !control_.is_stopped() && (tolerated > 0 ? Mesh_quality(complex_, points).inverted > tolerated
-                                                                     : Mesh_quality(complex_, points).invalid > 0)) {
+    rectify_from(points, relations, lengths, tolerated);
+    if (starts_harmonic || control_.is_stopped())
+      return;
+    const Mesh_quality quality(complex_, points);
+    if (tolerated > 0 ? quality.inverted > tolerated : quality.invalid > 0) {
       // what the given interior locks, another start may not
       Positions other = points_;
       harmonic_start(complex_, *attachment_, other);
-      rectify(other, relations, lengths, tolerated);
-      if (Mesh_quality(complex_, other).inverted < Mesh_quality(complex_, points).inverted)
+      rectify_from(other, relations, lengths, tolerated);
+      if (Mesh_quality(complex_, other).inverted < quality.inverted)
         points = std::move(other);
     }
   }
 
-  void rectify(Positions& points, const Edge_relations& relations, const std::vector<double>& lengths, std::size_t tolerated)
+  void rectify_from(Positions& points, const Edge_relations& relations, const std::vector<double>& lengths, std::size_t tolerated)
   {
     // quality maximization takes over from any valid state
     const double target = parameters_.method == Method::FULL ? (std::min)(0.0, parameters_.target_quality) : parameters_.target_quality;
@@ -169,7 +171,7 @@ private:
       untangling.run(points, control_);
       inverted = Mesh_quality(complex_, points).inverted;
       if (was_left && inverted > 0 && !control_.is_stopped()) {
-        rectify(points, relations, lengths, std::size_t(0));
+        rectify_from(points, relations, lengths, 0);
         untangling.run(points, control_);
       }
     }
@@ -200,24 +202,33 @@ private:
       }
   }
 
+  // The hexahedra as given, but for their orientation, and their order in memory.
+  struct Numbering
+  {
+    bool is_reversed;
+    std::vector<Hexahedron> hexahedra;
+    Memory_order order;
+  };
+
   // Bottom and top are exchanged if the hexahedra are numbered inside out. All errors in the mesh are found here, while its
   // elements have the numbers that the caller knows.
-  static std::vector<Hexahedron> oriented(const Positions& points, std::vector<Hexahedron> hexahedra, bool& reversed)
+  static Numbering checked(const Positions& points, const std::vector<Hexahedron>& hexahedra)
   {
     check(points, hexahedra);
-    const Hexahedral_complex complex(points.size(), hexahedra);
+    Hexahedral_complex complex(points.size(), hexahedra);
     if (complex.boundary_faces.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
-    reversed = enclosed_volume(points, complex) < 0;
-    if (reversed)
-      for (Hexahedron& h : hexahedra)
+    const bool is_reversed = enclosed_volume(points, complex) < 0;
+    if (is_reversed)
+      for (Hexahedron& h : complex.hexahedra)
         for (int i = 0; i < 4; ++i)
           std::swap(h[i], h[i + 4]);
-    return hexahedra;
+    Memory_order order(complex); // which hexahedra a vertex has does not depend on their orientation
+    return {is_reversed, std::move(complex.hexahedra), std::move(order)};
   }
 
   // As the caller finds it, sums in the same order.
-  Quality_statistics statistics(const Positions& points) const { return quality_statistics(order_.as_given(points), hexahedra_); }
+  Quality_statistics statistics(const Positions& points) const { return quality_statistics(order_.as_given(points), numbering_.hexahedra); }
 
   // Six times the volume within the boundary, up to scale: a tangled interior, however far out, does not matter.
   static double enclosed_volume(const Positions& points, const Hexahedral_complex& complex)
@@ -418,9 +429,8 @@ private:
 
   const Optimization_parameters parameters_;
   Run_control control_;
-  bool reversed_ = false;
-  const std::vector<Hexahedron> hexahedra_; // as given, but for their orientation
-  const Memory_order order_;                // in which all that follows is
+  const Numbering numbering_;
+  const Memory_order& order_; // in which all that follows is
   const Positions given_;
   const Hexahedral_complex complex_;
   const std::vector<char> is_frozen_;

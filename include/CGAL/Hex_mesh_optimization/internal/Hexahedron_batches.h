@@ -86,6 +86,9 @@ public:
     , ranges_(size(), complex.number_of_vertices(), batches_of_range, [this](std::size_t i) { return vertices(i); })
   {}
 
+  std::size_t number_of_hexahedra() const { return hexahedra_.size(); }
+
+  // The number of batches.
   std::size_t size() const { return (hexahedra_.size() + number_of_lanes - 1) / number_of_lanes; }
 
   std::size_t first_hexahedron(std::size_t batch) const { return batch * number_of_lanes; }

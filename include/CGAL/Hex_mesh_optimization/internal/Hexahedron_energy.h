@@ -49,7 +49,7 @@ public:
     Real sum{}, norm{}, lowest = Real{} + Number(1);
     for (int i = 0; i < 8; ++i) {
       const Real s = Corner_frame<Real>(frame, i).scaled_jacobian, below = larger(Real{}, floor[i] - s);
-      lowest = lowest - larger(Real{}, lowest - s);
+      lowest = smaller(s, lowest);
       const Real safe = if_positive(s, larger(s, Real{} + least_scaled_jacobian<Number>()), Real{} + Number(1));
       const Real excess = larger(Real{}, ratios.mean_ratio(i, safe) - Number(1));
       sum += excess * excess * (half_shape + third_poor_shape * excess) - barrier * logarithm(safe) + half_floor_weight * below * below;
@@ -78,7 +78,7 @@ public:
       const Corner_frame<Real> corner(frame, i);
       const Real s = larger(corner.scaled_jacobian, Real{} + least_scaled_jacobian<Number>());
       const Real base = Number(1) - s + offset, below = larger(Real{}, floor[i] - s), sixth = outer * base * base * power_4(base);
-      // first and second derivative by log s
+      // s f'(s) and s² f''(s)
       const Real f1 = -s * (sixth * base + floor_weight * below) - barrier;
       const Real f2 = s * s * (Number(7) * sixth + if_positive(below, Real{} + floor_weight, Real{})) + barrier;
 

@@ -34,8 +34,8 @@ inline float lane(const Lanes& x, int lane) { return x[lane]; }
 namespace lanes {
 
 using Array = Eigen::Array<float, number_of_lanes, 1>;
-using Map = Eigen::Map<Array, Eigen::AlignedMax>;
-using Const_map = Eigen::Map<const Array, Eigen::AlignedMax>;
+using Map = Eigen::Map<Array, sizeof(Lanes)>; // aligned to its size
+using Const_map = Eigen::Map<const Array, sizeof(Lanes)>;
 using Bits = int __attribute__((vector_size(4 * number_of_lanes)));
 
 inline Const_map map(const Lanes& x) { return Const_map(reinterpret_cast<const float*>(&x)); }
@@ -96,6 +96,7 @@ inline double square_root(double x) { return std::sqrt(x); }
 inline double logarithm(double x) { return std::log(x); }
 inline double inverse_cube_root(double x) { return 1 / std::cbrt(x); }
 inline double larger(double x, double y) { return x > y ? x : y; }
+inline double smaller(double x, double y) { return x < y ? x : y; }
 inline double if_positive(double x, double a, double b) { return x > 0 ? a : b; }
 
 // What a lane holds: constants in formulas have to be of this type.

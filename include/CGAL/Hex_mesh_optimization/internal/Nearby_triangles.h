@@ -79,7 +79,8 @@ inline Surface_point closest_point_of_triangle(const Vector_3& p, std::size_t tr
 class Nearby_triangles
 {
 public:
-  // What moves by no more than this keeps its list; in mean boundary edges.
+  // What moves by no more than this keeps its list; in mean boundary edges. From one search to the next four points of five
+  // do, while a list has no more than some ten triangles.
   static constexpr double margin = .1;
 
   // Forgets all lists. points: how many ask.
@@ -138,7 +139,7 @@ public:
   }
 
 private:
-  static constexpr int capacity = 16;
+  static constexpr int capacity = 16; // about what can be tried in the time of a search
 
   struct List
   {

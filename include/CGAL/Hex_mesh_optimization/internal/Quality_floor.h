@@ -8,7 +8,6 @@
 // ahead of the worst corner, then one that holds what was reached.
 
 #include <CGAL/Hex_mesh_optimization/internal/Corner_model.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/Lanes.h>
 #include <CGAL/Hex_mesh_optimization/internal/Maximization_parameters.h>
@@ -26,11 +25,12 @@ namespace internal {
 class Quality_floor
 {
 public:
-  Quality_floor(const Hexahedral_complex& complex, const Maximization_parameters& parameters)
+  // hexahedra must outlive the floor.
+  Quality_floor(const Hexahedron_batches& hexahedra, const Maximization_parameters& parameters)
     : parameters_(parameters)
-    , hexahedra_(complex)
-    , lifts_(complex.hexahedra.size())
-    , floors_(complex.hexahedra.size())
+    , hexahedra_(hexahedra)
+    , lifts_(hexahedra.number_of_hexahedra())
+    , floors_(hexahedra.number_of_hexahedra())
   {}
 
   // One floor for all corners, a step above the worst one and never falling. Where the connectivity makes many hexahedra
@@ -82,7 +82,7 @@ private:
   }
 
   const Maximization_parameters parameters_;
-  const Hexahedron_batches hexahedra_;
+  const Hexahedron_batches& hexahedra_;
   double floor_ = 0, highest_ = 0, held_ = 0;
   Batched_values<8> lifts_, floors_;
 };

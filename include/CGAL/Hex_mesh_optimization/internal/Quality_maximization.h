@@ -47,8 +47,8 @@ public:
     , relations_(relations)
     , matrix_(complex)
     , energy_(parameters)
-    , floor_(complex, parameters)
     , hexahedra_(complex)
+    , floor_(hexahedra_, parameters)
     , inverse_targets_(complex.hexahedra.size())
     , is_fixed_(is_fixed)
     , lengths_(lengths)
@@ -232,8 +232,8 @@ private:
   const Edge_relations* relations_;
   Block_matrix matrix_;
   Hexahedron_energy energy_;
-  Quality_floor floor_;
   const Hexahedron_batches hexahedra_;
+  Quality_floor floor_;
   Batched_values<12> inverse_targets_; // of the edges
   const std::vector<char> is_fixed_;
   std::vector<double> lengths_;        // targets of the edges

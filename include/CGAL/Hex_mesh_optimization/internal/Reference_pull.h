@@ -131,7 +131,7 @@ private:
         triangles.push_back(vertices);
       }
     }
-    if (4 * triangles.size() > known_->triangles.size())
+    if (4 * triangles.size() > known_->triangles.size()) // to search them each time takes longer than new lists
       return false;
     fast_ = triangles.empty() ? nullptr : std::make_unique<Reference_surface>(points, std::move(triangles), true);
     return true;
