@@ -27,11 +27,11 @@ public:
 
   double bits_of_double()
   {
-    std::uint8_t bits[sizeof(double)];
-    for (std::uint8_t& b : bits)
-      b = byte();
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 8; ++i)
+      bits |= std::uint64_t(byte()) << 8 * i;
     double x;
-    std::memcpy(&x, bits, sizeof x);
+    std::memcpy(&x, &bits, sizeof x);
     return x;
   }
 
