@@ -38,33 +38,36 @@ public:
     , hexahedra_(complex.hexahedra)
     , hexahedron_slots_(complex.hexahedra.size())
   {
-    // The neighbors of a vertex with a higher index, from the hexahedra around it.
     std::vector<int> neighbors;
-    for (std::size_t v = 0; v < complex.number_of_vertices(); ++v) {
+    const auto neighbors_of = [&](std::size_t v) -> std::vector<int>& {
       neighbors.clear();
       for (int h : complex.vertex_hexahedra[v]) {
         const Hexahedron& corners = complex.hexahedra[h];
         const std::size_t i = std::find(corners.begin(), corners.end(), static_cast<int>(v)) - corners.begin();
         for (int j = 0; j < 8; ++j)
-          if (corners[j] > static_cast<int>(v) && hexahedron_couplings.of[i][j] >= 0)
+          if (hexahedron_couplings.of[i][j] >= 0)
             neighbors.push_back(corners[j]);
       }
       std::sort(neighbors.begin(), neighbors.end());
       neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-      columns_.insert(columns_.end(), neighbors.begin(), neighbors.end());
+      return neighbors;
+    };
+    ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range, [&](std::size_t v) -> const std::vector<int>& {
+      neighbors_of(v).push_back(static_cast<int>(v));
+      return neighbors;
+    });
+    for (std::size_t v = 0; v < size(); ++v) {
+      for (int u : neighbors_of(v))
+        if (is_before(static_cast<int>(v), u))
+          columns_.push_back(u);
       offsets_[v + 1] = columns_.size();
     }
     blocks_.resize(columns_.size());
-    std::vector<int> touched;
-    ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range, [&](std::size_t v) -> const std::vector<int>& {
-      touched.assign(columns_.begin() + offsets_[v], columns_.begin() + offsets_[v + 1]);
-      touched.push_back(static_cast<int>(v));
-      return touched;
-    });
     for (std::size_t h = 0; h < hexahedra_.size(); ++h)
       for (int k = 0; k < Hexahedron_couplings::number; ++k) {
-        const auto [low, high] = std::minmax({hexahedra_[h][hexahedron_couplings.first[k]], hexahedra_[h][hexahedron_couplings.second[k]]});
-        hexahedron_slots_[h][k] = static_cast<std::uint32_t>(slot(low, high));
+        const int i = hexahedra_[h][hexahedron_couplings.first[k]], j = hexahedra_[h][hexahedron_couplings.second[k]];
+        const bool is_transposed = is_before(j, i);
+        hexahedron_slots_[h][k] = {static_cast<std::uint32_t>(is_transposed ? slot(j, i) : slot(i, j)), is_transposed};
       }
   }
 
@@ -83,7 +86,7 @@ public:
   {
     if (i == j)
       diagonal[i] += B;
-    else if (i < j)
+    else if (is_before(i, j))
       blocks_[slot(i, j)] += B.cast<float>();
     else
       blocks_[slot(j, i)] += B.transpose().cast<float>();
@@ -109,19 +112,20 @@ public:
     }
     for (int k = 0; k < Hexahedron_couplings::number; ++k) {
       const Real* b = derivatives.coupling[k];
-      float* B = blocks_[hexahedron_slots_[hexahedron][k]].data();
-      const bool is_transposed = h[hexahedron_couplings.first[k]] > h[hexahedron_couplings.second[k]];
-      const int right = is_transposed ? 1 : 3, down = is_transposed ? 3 : 1; // B is stored column by column
+      const Slot slot = hexahedron_slots_[hexahedron][k];
+      float* B = blocks_[slot.number].data();
+      const int right = slot.is_transposed ? 1 : 3, down = slot.is_transposed ? 3 : 1; // B is stored column by column
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
           B[down * r + right * c] += static_cast<float>(entry(b[3 * r + c]));
     }
   }
 
-  // Approximates A x = b from x = 0, in the rows that are not fixed, until the
-  // residual has dropped by `tolerance`. Preconditioned by the diagonal blocks.
-  // Returns the iterations. The Hessian is a model: single precision is enough,
-  // and halves the traffic that limits the products.
+  // Approximates A x = b from x = 0, in the rows that are not fixed, until the residual has dropped by `tolerance`, in
+  // the norm of the preconditioner. That is symmetric Gauss-Seidel, A ≈ (D + L) D⁻¹ (D + Lᵀ), in the form of Eisenstat
+  // (1981): with d' = (D + Lᵀ) d, (D + L)⁻¹ A d = d + (D + L)⁻¹ Lᵀ d costs no more than A d. Rows of one color come before
+  // those of the next, so that the sweeps run in parallel and do not depend on the number of threads. Returns the
+  // iterations. The Hessian is a model: single precision is enough, and halves the traffic.
   int solve(const Positions& b, const std::vector<char>& is_fixed, double tolerance, int maximum_iterations, Positions& x) const
   {
     const std::size_t n = size();
@@ -132,28 +136,36 @@ public:
     x.assign(n, Vector_3::Zero());
     if (!(largest > 0) || !std::isfinite(largest))
       return 0;
-    std::vector<Block> inverse(n, Block::Zero());
-    std::vector<Vector> y(n, Vector::Zero()), r(n, Vector::Zero()), z(n), d(n), Ad(n);
+    std::vector<Block> D(n), inverse(n, Block::Zero()); // D⁻¹, 0 in fixed rows
+    // in terms of the sweeps: the residual r' = (D + L)⁻¹ r, the direction d'
+    std::vector<Vector> y(n, Vector::Zero()), r(n), d(n), swept_d(n), Ad(n), w(n, Vector::Zero());
+    for_each(n, [&](std::size_t v) {
+      D[v] = diagonal[v].cast<float>();
+      if (!is_fixed[v]) {
+        inverse[v] = diagonal[v].inverse().cast<float>();
+        w[v] = (b[v] / largest).cast<float>();
+      }
+    });
+    solve_lower(inverse, w, r);
     double rz = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
       double sum = 0;
       for (std::size_t v = begin; v < end; ++v) {
-        if (!is_fixed[v]) {
-          inverse[v] = diagonal[v].inverse().cast<float>();
-          r[v] = (b[v] / largest).cast<float>();
-        }
-        d[v] = z[v] = inverse[v] * r[v];
-        sum += r[v].dot(z[v]);
+        swept_d[v] = D[v] * r[v];
+        sum += r[v].dot(swept_d[v]);
       }
       return sum;
     });
     const double stop = tolerance * tolerance * rz;
     int iteration = 0;
     for (; iteration < maximum_iterations && rz > stop; ++iteration) {
-      multiply(d, Ad);
+      solve_upper(inverse, swept_d, d, w);
+      solve_lower(inverse, w, Ad);
       const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
         double sum = 0;
-        for (std::size_t v = begin; v < end; ++v)
-          sum += d[v].dot(Ad[v]); // d is zero in fixed rows
+        for (std::size_t v = begin; v < end; ++v) {
+          Ad[v] += d[v];
+          sum += swept_d[v].dot(Ad[v]);
+        }
         return sum;
       });
       if (!(dAd > 0))
@@ -164,13 +176,13 @@ public:
         for (std::size_t v = begin; v < end; ++v) {
           y[v] += step * d[v];
           r[v] -= step * Ad[v];
-          z[v] = inverse[v] * r[v]; // zero in fixed rows
-          sum += r[v].dot(z[v]);
+          w[v] = D[v] * r[v];
+          sum += r[v].dot(w[v]);
         }
         return sum;
       });
       const float ratio = static_cast<float>(next / rz);
-      for_each(n, [&](std::size_t v) { d[v] = z[v] + ratio * d[v]; });
+      for_each(n, [&](std::size_t v) { swept_d[v] = w[v] + ratio * swept_d[v]; });
       rz = next;
     }
     for_each(n, [&](std::size_t v) { x[v] = largest * y[v].cast<double>(); });
@@ -190,27 +202,51 @@ private:
     return std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j) - columns_.begin();
   }
 
-  void multiply(const std::vector<Vector>& x, std::vector<Vector>& y) const
+  // The order of the sweeps.
+  bool is_before(int i, int j) const
   {
-    for_each(size(), [&](std::size_t v) { y[v] = diagonal[v].cast<float>() * x[v]; });
+    const std::size_t a = ranges_->color(i), b = ranges_->color(j);
+    return a < b || (a == b && i < j);
+  }
+
+  // Solves (D + L) y = b; overwrites b.
+  void solve_lower(const std::vector<Block>& inverse, std::vector<Vector>& b, std::vector<Vector>& y) const
+  {
     ranges_->for_ranges([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
-        Vector sum = Vector::Zero();
-        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
-          sum += blocks_[k] * x[columns_[k]];
-          y[columns_[k]] += blocks_[k].transpose() * x[v];
-        }
-        y[v] += sum;
+        const Vector x = inverse[v] * b[v];
+        y[v] = x;
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k)
+          b[columns_[k]] -= blocks_[k].transpose() * x;
       }
     });
   }
 
-  std::vector<std::size_t> offsets_;
-  std::vector<int> columns_;
+  // Solves (D + Lᵀ) y = b, and gives Lᵀ y.
+  void solve_upper(const std::vector<Block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y, std::vector<Vector>& Ly) const
+  {
+    ranges_->for_ranges_backwards([&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = end; v-- > begin;) {
+        Vector sum = Vector::Zero();
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k)
+          sum += blocks_[k] * y[columns_[k]];
+        y[v] = inverse[v] * (b[v] - sum);
+        Ly[v] = sum;
+      }
+    });
+  }
+
+  struct Slot
+  {
+    std::uint32_t number : 31, is_transposed : 1;
+  };
+
+  std::vector<std::size_t> offsets_; // of the blocks of each row
+  std::vector<int> columns_;         // rows that come later than their own
   std::vector<Block> blocks_;
   std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
   const std::vector<Hexahedron>& hexahedra_;
-  std::vector<std::array<std::uint32_t, Hexahedron_couplings::number>> hexahedron_slots_; // of each coupling
+  std::vector<std::array<Slot, Hexahedron_couplings::number>> hexahedron_slots_; // of each coupling
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

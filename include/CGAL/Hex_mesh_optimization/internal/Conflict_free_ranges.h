@@ -41,6 +41,7 @@ public:
       if (colors_.size() <= color)
         colors_.resize(color + 1);
       colors_[color].push_back(first);
+      color_of_range_.push_back(color);
       for (std::size_t i = first; i < last; ++i)
         for (int v : vertices_of(i))
           taken[v] |= std::uint64_t(1) << color;
@@ -52,24 +53,39 @@ public:
   template <class Work>
   void for_ranges(const Work& work) const
   {
-    for (std::size_t color = 0; color < colors_.size(); ++color) {
-      const std::vector<std::size_t>& firsts = colors_[color];
-      const auto visit = [&](std::size_t i) { work(firsts[i], (std::min)(firsts[i] + size_of_range_, number_of_elements_)); };
-      if (color == most_colors - 1)
-        for (std::size_t i = 0; i < firsts.size(); ++i)
-          visit(i);
-      else
-        for_each_index(firsts.size(), visit);
-    }
+    for (std::size_t color = 0; color < colors_.size(); ++color)
+      for_ranges_of(color, work, false);
   }
 
+  // The same in the opposite order.
+  template <class Work>
+  void for_ranges_backwards(const Work& work) const
+  {
+    for (std::size_t color = colors_.size(); color-- > 0;)
+      for_ranges_of(color, work, true);
+  }
+
+  // The color of the range of an element; lower ones come first.
+  std::size_t color(std::size_t element) const { return color_of_range_[element / size_of_range_]; }
   std::size_t number_of_colors() const { return colors_.size(); }
 
 private:
+  template <class Work>
+  void for_ranges_of(std::size_t color, const Work& work, bool backwards) const
+  {
+    const std::vector<std::size_t>& firsts = colors_[color];
+    const auto visit = [&](std::size_t i) { work(firsts[i], (std::min)(firsts[i] + size_of_range_, number_of_elements_)); };
+    if (color < most_colors - 1)
+      return for_each_index(firsts.size(), visit);
+    for (std::size_t i = 0; i < firsts.size(); ++i)
+      visit(backwards ? firsts.size() - 1 - i : i);
+  }
+
   static constexpr std::size_t most_colors = 64; // the last one takes what is left, one after the other
 
   const std::size_t number_of_elements_, size_of_range_;
   std::vector<std::vector<std::size_t>> colors_; // first elements of the ranges
+  std::vector<std::size_t> color_of_range_;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

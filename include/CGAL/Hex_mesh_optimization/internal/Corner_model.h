@@ -123,11 +123,12 @@ struct Corner_model
   Real y[3][3];
   Real d[3];
 
-  // Of an energy that depends on the edges through r_i = (|e_i| / l_i)² and through log det of the edges, whose
-  // derivative by e_i is c_i = slope · cross_i / |e_i|. With v_i = r_i n_i / |e_i| = e_i / l_i²,
+  // Of an energy that depends on the edges through r_i = (|e_i| / l_i)², through log det of the edges, whose derivative
+  // by e_i is c_i = slope · cross_i / |e_i|, and through log s of the scaled Jacobian s, whose derivative is
+  // c_i − n_i / |e_i| where slope is 1 / s. With v_i = r_i n_i / |e_i| = e_i / l_i²,
   //   gradient_i = ⅔ (x n_i / |e_i| + b v_i − (x + p) c_i),
-  //   H = ⅔ δ_ij (x / |e_i|² + b / l_i²) I + [n v c] M [n v c]ᵀ + growth g gᵀ,   g_i = ⅔ (b' v_i − m c_i),
-  //   M_nn = 4/9 z, M_nc = −4/9 (x + z), M_cc = 10/9 (x + p) + 4/9 z, M_vc = −4/9 b, and 0 otherwise;
+  //   H = ⅔ δ_ij (x / |e_i|² (I − n_i n_iᵀ) + b / l_i² I) + [n v c] M [n v c]ᵀ + growth g gᵀ,   g_i = ⅔ (b' v_i − m c_i),
+  //   M_nn = −M_nc = 10/9 x + 4/9 z, M_cc = M_nn + 10/9 p, M_vc = −4/9 b, and 0 otherwise;
   // with x, z, p, b, growth ≥ 0 and p, b as of a mean ratio, H is positive semi-definite.
   // As n_i and v_i are parallel, the square of c is completed, and the rest is k.
   Corner_model(const Corner_frame<Real>& corner, const Real& slope, const Real* r, const Real& x, const Real& z, const Real& p,
@@ -136,12 +137,12 @@ struct Corner_model
     using Number = typename Lane<Real>::type;
     const Number two_thirds = Number(2. / 3), four_ninths = Number(4. / 9), ten_ninths = Number(10. / 9);
     const Real beta = two_thirds * b1, gamma = two_thirds * m;
-    const Real nn = four_ninths * z, nc = -four_ninths * (x + z), vv = growth * beta * beta, vc = -four_ninths * b - growth * beta * gamma;
-    const Real cc = ten_ninths * (x + p) + four_ninths * z + growth * gamma * gamma;
+    const Real nn = ten_ninths * x + four_ninths * z, vv = growth * beta * beta, vc = -four_ninths * b - growth * beta * gamma;
+    const Real cc = nn + ten_ninths * p + growth * gamma * gamma;
     const Real inverse = Number(1) / larger(cc, Real{} + Number(1e-30)), root = square_root(cc), factor = root * slope;
     Real t[3];
     for (int i = 0; i < 3; ++i) {
-      const Real c = nc + vc * r[i], along = two_thirds * (x + b * r[i]), across = two_thirds * (x + p) * slope;
+      const Real c = vc * r[i] - nn, along = two_thirds * (x + b * r[i]), across = two_thirds * (x + p) * slope;
       t[i] = c * inverse;
       d[i] = along;
       for (int a = 0; a < 3; ++a) {
@@ -150,6 +151,7 @@ struct Corner_model
       }
       for (int j = 0; j <= i; ++j)
         k[j][i] = nn + vv * r[i] * r[j] - cc * t[i] * t[j];
+      k[i][i] -= two_thirds * x;
     }
   }
 };

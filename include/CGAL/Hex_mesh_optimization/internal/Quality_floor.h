@@ -48,8 +48,7 @@ public:
   void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
-    held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, (std::max)(parameters_.hold_limit, q - gap)));
+    held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, worth_holding(quality)));
     const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.hold_margin));
     const bool is_first = floor_ > 0;
     floor_ = 0;
@@ -69,6 +68,12 @@ public:
   }
 
   double held() const { return held_; }
+  // A higher minimum than this is not worth the deviation that it takes.
+  double worth_holding(const Mesh_quality& quality) const
+  {
+    const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
+    return (std::max)(parameters_.hold_limit, q - gap);
+  }
   // Of each corner of the hexahedra.
   const Batched_values<8>& floors() const { return floors_; }
 

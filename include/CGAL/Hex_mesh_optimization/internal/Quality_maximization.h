@@ -64,13 +64,15 @@ public:
     if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
       return;
     Best best{points, quality.invalid, quality.minimum, 0, 0, quality.invalid == 0 ? quality.minimum : -1};
-    Progress climb(quality, parameters_.climbing_gain, parameters_.least_change_of_average);
-    Progress settling = climb;
+    Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
     bool tightens = false;
     std::size_t waited = 0, settled = 0;
     attachment_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
-      if (!tightens && (climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience || i == parameters_.climbing_iterations)) {
+      const bool is_high = quality.minimum >= floor_.worth_holding(quality) &&
+                           climb.iterations_without_change_of_average() >= parameters_.climbing_patience_for_average;
+      const bool is_done = is_high || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
+      if (!tightens && (is_done || i == parameters_.climbing_iterations)) {
         tightens = true;
         energy_.set_shape_factor(parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average));
         if (relations_)
@@ -100,11 +102,12 @@ public:
       else
         settling.add(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, quality);
-      if (attachment_.tightness == 1 && ++settled >= parameters_.settling_iterations)
+      const bool is_held = best.minimum >= parameters_.held_closely * floor_.held();
+      if (attachment_.tightness == 1 && ++settled >= (is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations))
         break;
       if (excess > 0)
         continue;
-      if (settling.iterations_without_change() >= parameters_.patience && best.minimum >= parameters_.held_closely * floor_.held())
+      if (is_held && settling.iterations_without_change() >= parameters_.patience)
         break;
       if (attachment_.tightness == 1 && quality.invalid == 0 && quality.minimum >= target_quality)
         break;
@@ -169,6 +172,7 @@ private:
     }
 
     std::size_t iterations_without_gain_of_minimum() const { return since_minimum_; }
+    std::size_t iterations_without_change_of_average() const { return since_average_; }
     std::size_t iterations_without_change() const { return (std::min)(since_minimum_, since_average_); }
 
   private:

@@ -7,7 +7,8 @@
 // Removes the inverted corners that rectification left: the mean ratio of all
 // corners, regularized so that it is finite for inverted ones too, is minimized
 // while the regularization fades (Garanzha et al., "Foldover-free maps in 50 lines
-// of code", 2021), with the boundary loosely attached.
+// of code", 2021), with the boundary loosely attached. Only what is near inverted
+// corners takes part.
 
 #include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
@@ -79,16 +80,19 @@ public:
   {
     Mesh_quality quality(complex_, points);
     Positions best = points;
-    std::size_t fewest = quality.inverted, since = 0;
+    std::size_t fewest = quality.inverted, since = 0, rings = parameters_.untangling_rings;
     attachment_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; fewest > 0 && since < parameters_.untangling_patience && !control.is_stopped(); ++i, ++since) {
+      if (since > 0 && since % parameters_.widening_patience == 0)
+        rings *= 2;
+      activate(quality, rings);
       const double lowest = lowest_determinant(points);
       squared_epsilon_ = parameters_.least_regularization + parameters_.regularization * std::pow((std::min)(lowest, 0.0), 2);
       attachment_.update(points);
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
                                         [](Positions&) {},
-                                        is_fixed_, parameters_, matrix_, points);
+                                        is_passive_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
       if (quality.inverted < fewest) {
         fewest = quality.inverted;
@@ -101,11 +105,39 @@ public:
   }
 
 private:
-  // Calls visit(frame, ratios) for every hexahedron. In double: nothing bounds what comes in tangled.
+  // Vertices of the inverted hexahedra and of so many rings around them may move.
+  void activate(const Mesh_quality& quality, std::size_t rings)
+  {
+    std::vector<int> near; // vertices
+    is_passive_.assign(is_fixed_.size(), true);
+    const auto add = [&](int h) {
+      for (int v : complex_.hexahedra[h])
+        if (is_passive_[v]) {
+          is_passive_[v] = false;
+          near.push_back(v);
+        }
+    };
+    for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h)
+      if (quality.scaled_jacobians[h] <= 0)
+        add(static_cast<int>(h));
+    for (std::size_t ring = 0, begin = 0; ring < rings; ++ring)
+      for (const std::size_t end = near.size(); begin < end; ++begin)
+        for (int h : complex_.vertex_hexahedra[near[begin]])
+          add(h);
+    active_.clear();
+    for (int v : near)
+      active_.insert(active_.end(), complex_.vertex_hexahedra[v].begin(), complex_.vertex_hexahedra[v].end());
+    std::sort(active_.begin(), active_.end());
+    active_.erase(std::unique(active_.begin(), active_.end()), active_.end());
+    for (std::size_t v = 0; v < is_fixed_.size(); ++v)
+      is_passive_[v] = is_passive_[v] || is_fixed_[v];
+  }
+
+  // Calls visit(h, frame, ratios) for every active hexahedron h. In double: nothing bounds what comes in tangled.
   template <class Visit>
   void for_hexahedra(const Positions& points, const Visit& visit) const
   {
-    for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h) {
+    for (int h : active_) {
       double vectors[12][3], inverse_targets[12];
       edge_vectors(points, complex_.hexahedra[h], vectors);
       for (int k = 0; k < 12; ++k)
@@ -157,6 +189,8 @@ private:
   Block_matrix matrix_;
   const std::vector<double> lengths_; // targets of the edges
   const std::vector<char> is_fixed_;
+  std::vector<int> active_;      // hexahedra
+  std::vector<char> is_passive_; // vertices that do not move
   double squared_epsilon_ = 0;
 };
 
