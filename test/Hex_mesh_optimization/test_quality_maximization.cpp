@@ -13,6 +13,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/Lanes.h>
 #include <CGAL/Hex_mesh_optimization/internal/Quality_floor.h>
 #include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/Untangling.h>
 #include <CGAL/Hex_mesh_optimization/internal/held_back_step.h>
 #include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
@@ -954,8 +955,34 @@ TEST_P(Maximization, keeps_a_valid_mesh_valid_and_its_minimum)
     EXPECT_GE(after.minimum, before.minimum);
     EXPECT_GT(after.average, before.average);
     EXPECT_GT(control.iterations, 0u);
-    EXPECT_LE(control.iterations, s.parameters.climbing_iterations + s.parameters.settling_iterations + tightening_iterations(s.parameters));
+    EXPECT_LE(control.iterations, s.parameters.climbing_iterations + s.parameters.longest_settling_iterations + tightening_iterations(s.parameters));
   });
+}
+
+TEST(Untangling, moves_what_is_near_inverted_corners_and_nothing_else)
+{
+  Indexed_mesh block;
+  HMO::make_block(block.points, block.hexahedra, {{16, 5, 5}}, {{16, 5, 5}});
+  Setting s(block);
+  std::size_t displaced = 0; // the first interior vertex is near one end
+  while (s.complex.is_on_boundary[displaced])
+    ++displaced;
+  s.points[displaced] += Vector_3(2.3, .7, .4);
+  const Positions given = s.points;
+  ASSERT_GT(Mesh_quality(s.complex, given).inverted, 0u);
+  s.parameters.untangling_rings = 3;
+  Surface_attachment attachment = s.surface_attachment();
+  Run_control control;
+  Untangling(s.complex, attachment, s.lengths, s.is_fixed, s.parameters).run(s.points, control);
+  EXPECT_GE(Mesh_quality(s.complex, s.points).minimum, s.parameters.untangled);
+  EXPECT_NE(s.points[displaced], given[displaced]);
+  std::size_t far = 0;
+  for (std::size_t v = 0; v < given.size(); ++v)
+    if (std::abs(block.points[v].x() - block.points[displaced].x()) > 9) { // inverted ones may wander a little
+      ++far;
+      EXPECT_EQ(s.points[v], given[v]) << v;
+    }
+  EXPECT_GT(far, 30u);
 }
 
 TEST_P(Maximization, leaves_fixed_vertices_alone)

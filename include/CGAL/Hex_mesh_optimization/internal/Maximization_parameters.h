@@ -67,6 +67,8 @@ struct Maximization_parameters
   // --- Untangling: ε² = least + factor · min(0, lowest determinant)², as in Garanzha et al. ---
   double least_regularization = 1e-6;
   double regularization = .04;
+  // It ends when no corner is below this: from nearly inverted ones, the maximization of quality climbs slowly, if at all.
+  double untangled = .02;
   // Only vertices so many hexahedra around an inverted one move; twice as many after so many iterations without a
   // hexahedron less that is inverted. After so many it gives up.
   std::size_t untangling_rings = 5;

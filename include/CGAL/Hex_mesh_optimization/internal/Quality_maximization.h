@@ -161,7 +161,8 @@ private:
     {
       ++since_minimum_;
       ++since_average_;
-      if (quality.minimum > minimum_ + gain_of_minimum_) {
+      // a corner that is nearly inverted climbs slowly at first
+      if (quality.minimum > minimum_ + (std::min)(gain_of_minimum_, relative_gain * minimum_)) {
         minimum_ = quality.minimum;
         since_minimum_ = 0;
       }
@@ -176,6 +177,8 @@ private:
     std::size_t iterations_without_change() const { return (std::min)(since_minimum_, since_average_); }
 
   private:
+    static constexpr double relative_gain = .1;
+
     double minimum_, average_, gain_of_minimum_, change_of_average_;
     std::size_t since_minimum_ = 0, since_average_ = 0;
   };

@@ -75,16 +75,21 @@ public:
     , is_fixed_(is_fixed)
   {}
 
-  // Stops when no corner is inverted; leaves in points the state with the fewest inverted hexahedra.
+  // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and the
+  // best worst one if none is inverted. Does nothing if none is.
   void run(Positions& points, Run_control& control)
   {
     Mesh_quality quality(complex_, points);
+    if (quality.inverted == 0)
+      return;
     Positions best = points;
     std::size_t fewest = quality.inverted, since = 0, rings = parameters_.untangling_rings;
+    double minimum = quality.minimum;
     attachment_.tightness = parameters_.start_tightness;
-    for (std::size_t i = 0; fewest > 0 && since < parameters_.untangling_patience && !control.is_stopped(); ++i, ++since) {
-      if (since > 0 && since % parameters_.widening_patience == 0)
-        rings *= 2;
+    const auto is_done = [&] {
+      return fewest == 0 && (minimum >= parameters_.untangled || since >= parameters_.widening_patience);
+    };
+    for (std::size_t i = 0; !is_done() && since < parameters_.untangling_patience && !control.is_stopped(); ++i) {
       activate(quality, rings);
       const double lowest = lowest_determinant(points);
       squared_epsilon_ = parameters_.least_regularization + parameters_.regularization * std::pow((std::min)(lowest, 0.0), 2);
@@ -94,18 +99,22 @@ public:
                                         [](Positions&) {},
                                         is_passive_, parameters_, matrix_, points);
       quality = Mesh_quality(complex_, points);
-      if (quality.inverted < fewest) {
+      ++since;
+      if (quality.inverted < fewest || (quality.inverted == 0 && quality.minimum > minimum)) {
         fewest = quality.inverted;
+        minimum = quality.minimum;
         best = points;
         since = 0;
       }
+      if (since > 0 && since % parameters_.widening_patience == 0)
+        rings *= 2;
       control.after_iteration(Stage::UNTANGLING, i, energy, quality);
     }
     points = std::move(best);
   }
 
 private:
-  // Vertices of the inverted hexahedra and of so many rings around them may move.
+  // Vertices of inverted and nearly inverted hexahedra and of so many rings around them may move.
   void activate(const Mesh_quality& quality, std::size_t rings)
   {
     std::vector<int> near; // vertices
@@ -118,7 +127,7 @@ private:
         }
     };
     for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h)
-      if (quality.scaled_jacobians[h] <= 0)
+      if (quality.scaled_jacobians[h] < parameters_.untangled)
         add(static_cast<int>(h));
     for (std::size_t ring = 0, begin = 0; ring < rings; ++ring)
       for (const std::size_t end = near.size(); begin < end; ++begin)
