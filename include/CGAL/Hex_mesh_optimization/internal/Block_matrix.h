@@ -62,7 +62,7 @@ public:
           columns_.push_back(u);
       offsets_[v + 1] = columns_.size();
     }
-    blocks_.resize(columns_.size());
+    entries_.resize(entries_of_block * columns_.size() + 1); // as the last row is read with one entry more
     for (std::size_t h = 0; h < hexahedra_.size(); ++h)
       for (int k = 0; k < Hexahedron_couplings::number; ++k) {
         const int i = hexahedra_[h][hexahedron_couplings.first[k]], j = hexahedra_[h][hexahedron_couplings.second[k]];
@@ -77,19 +77,22 @@ public:
   {
     for_ranges(size(), [&](std::size_t begin, std::size_t end) {
       std::fill(diagonal.begin() + begin, diagonal.begin() + end, Matrix_3::Zero());
-      std::fill(blocks_.begin() + offsets_[begin], blocks_.begin() + offsets_[end], Block::Zero());
+      std::fill(entries_.begin() + entries_of_block * offsets_[begin], entries_.begin() + entries_of_block * offsets_[end], 0.f);
     });
   }
 
   // Adds B at (i, j) and, i ≠ j, its transpose at (j, i). Both vertices must belong to one face.
   void add(int i, int j, const Matrix_3& B)
   {
-    if (i == j)
+    if (i == j) {
       diagonal[i] += B;
-    else if (is_before(i, j))
-      blocks_[slot(i, j)] += B.cast<float>();
-    else
-      blocks_[slot(j, i)] += B.transpose().cast<float>();
+      return;
+    }
+    const bool is_transposed = is_before(j, i);
+    float* block = entries_.data() + entries_of_block * (is_transposed ? slot(j, i) : slot(i, j));
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        block[3 * r + c] += static_cast<float>(is_transposed ? B(c, r) : B(r, c));
   }
 
   // Adds what one lane holds for a hexahedron.
@@ -113,8 +116,8 @@ public:
     for (int k = 0; k < Hexahedron_couplings::number; ++k) {
       const Real* b = derivatives.coupling[k];
       const Slot slot = hexahedron_slots_[hexahedron][k];
-      float* B = blocks_[slot.number].data();
-      const int right = slot.is_transposed ? 1 : 3, down = slot.is_transposed ? 3 : 1; // B is stored column by column
+      float* B = entries_.data() + entries_of_block * slot.number;
+      const int right = slot.is_transposed ? 3 : 1, down = slot.is_transposed ? 1 : 3;
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
           B[down * r + right * c] += static_cast<float>(entry(b[3 * r + c]));
@@ -136,14 +139,15 @@ public:
     x.assign(n, Vector_3::Zero());
     if (!(largest > 0) || !std::isfinite(largest))
       return 0;
-    std::vector<Block> D(n), inverse(n, Block::Zero()); // D⁻¹, 0 in fixed rows
+    std::vector<Diagonal_block> D(n), inverse(n); // D⁻¹, 0 in fixed rows
     // in terms of the sweeps: the residual r' = (D + L)⁻¹ r, the direction d'
-    std::vector<Vector> y(n, Vector::Zero()), r(n), d(n), swept_d(n), Ad(n), w(n, Vector::Zero());
+    const Vector zero = Vector::Zero();
+    std::vector<Vector> y(n, zero), r(n), d(n), swept_d(n), Ad(n), w(n, zero);
     for_each(n, [&](std::size_t v) {
-      D[v] = diagonal[v].cast<float>();
+      D[v] = Diagonal_block(diagonal[v]);
       if (!is_fixed[v]) {
-        inverse[v] = diagonal[v].inverse().cast<float>();
-        w[v] = (b[v] / largest).cast<float>();
+        inverse[v] = Diagonal_block(diagonal[v].inverse());
+        w[v].head<3>() = (b[v] / largest).cast<float>();
       }
     });
     solve_lower(inverse, w, r);
@@ -151,7 +155,7 @@ public:
       double sum = 0;
       for (std::size_t v = begin; v < end; ++v) {
         swept_d[v] = D[v] * r[v];
-        sum += r[v].dot(swept_d[v]);
+        sum += (r[v] * swept_d[v]).sum();
       }
       return sum;
     });
@@ -164,7 +168,7 @@ public:
         double sum = 0;
         for (std::size_t v = begin; v < end; ++v) {
           Ad[v] += d[v];
-          sum += swept_d[v].dot(Ad[v]);
+          sum += (swept_d[v] * Ad[v]).sum();
         }
         return sum;
       });
@@ -177,7 +181,7 @@ public:
           y[v] += step * d[v];
           r[v] -= step * Ad[v];
           w[v] = D[v] * r[v];
-          sum += r[v].dot(w[v]);
+          sum += (r[v] * w[v]).sum();
         }
         return sum;
       });
@@ -185,7 +189,7 @@ public:
       for_each(n, [&](std::size_t v) { swept_d[v] = w[v] + ratio * swept_d[v]; });
       rz = next;
     }
-    for_each(n, [&](std::size_t v) { x[v] = largest * y[v].cast<double>(); });
+    for_each(n, [&](std::size_t v) { x[v] = largest * y[v].head<3>().matrix().cast<double>(); });
     return iteration;
   }
 
@@ -194,8 +198,25 @@ public:
 private:
   static constexpr std::size_t rows_of_range = 512;
 
-  using Block = Eigen::Matrix3f;
-  using Vector = Eigen::Vector3f;
+  static constexpr std::size_t entries_of_block = 9;
+
+  // Four numbers, as registers have them; the last one is 0.
+  using Vector = Eigen::Array4f;
+  using Row = Eigen::Map<const Vector>;
+
+  struct Diagonal_block
+  {
+    Vector columns[3];
+
+    Diagonal_block() : columns{Vector::Zero(), Vector::Zero(), Vector::Zero()} {}
+    explicit Diagonal_block(const Matrix_3& B) : Diagonal_block()
+    {
+      for (int c = 0; c < 3; ++c)
+        columns[c].head<3>() = B.col(c).cast<float>();
+    }
+
+    Vector operator*(const Vector& x) const { return columns[0] * x[0] + columns[1] * x[1] + columns[2] * x[2]; }
+  };
 
   std::size_t slot(int i, int j) const
   {
@@ -210,28 +231,34 @@ private:
   }
 
   // Solves (D + L) y = b; overwrites b.
-  void solve_lower(const std::vector<Block>& inverse, std::vector<Vector>& b, std::vector<Vector>& y) const
+  void solve_lower(const std::vector<Diagonal_block>& inverse, std::vector<Vector>& b, std::vector<Vector>& y) const
   {
     ranges_->for_ranges([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
         const Vector x = inverse[v] * b[v];
         y[v] = x;
-        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k)
-          b[columns_[k]] -= blocks_[k].transpose() * x;
+        const float *block = entries_.data() + entries_of_block * offsets_[v], x0 = x[0], x1 = x[1], x2 = x[2];
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k, block += entries_of_block)
+          b[columns_[k]] -= Row(block) * x0 + Row(block + 3) * x1 + Row(block + 6) * x2; // and nonsense in the last number
       }
     });
   }
 
   // Solves (D + Lᵀ) y = b, and gives Lᵀ y.
-  void solve_upper(const std::vector<Block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y, std::vector<Vector>& Ly) const
+  void solve_upper(const std::vector<Diagonal_block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y, std::vector<Vector>& Ly) const
   {
     ranges_->for_ranges_backwards([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = end; v-- > begin;) {
-        Vector sum = Vector::Zero();
-        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k)
-          sum += blocks_[k] * y[columns_[k]];
-        y[v] = inverse[v] * (b[v] - sum);
-        Ly[v] = sum;
+        Vector s0 = Vector::Zero(), s1 = s0, s2 = s0;
+        const float* block = entries_.data() + entries_of_block * offsets_[v];
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k, block += entries_of_block) {
+          const Vector x = y[columns_[k]]; // its last number is 0, whatever follows a row
+          s0 += Row(block) * x;
+          s1 += Row(block + 3) * x;
+          s2 += Row(block + 6) * x;
+        }
+        Ly[v] = Vector(s0.sum(), s1.sum(), s2.sum(), 0);
+        y[v] = inverse[v] * (b[v] - Ly[v]);
       }
     });
   }
@@ -243,7 +270,7 @@ private:
 
   std::vector<std::size_t> offsets_; // of the blocks of each row
   std::vector<int> columns_;         // rows that come later than their own
-  std::vector<Block> blocks_;
+  std::vector<float> entries_;       // of the blocks, row by row
   std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
   const std::vector<Hexahedron>& hexahedra_;
   std::vector<std::array<Slot, Hexahedron_couplings::number>> hexahedron_slots_; // of each coupling
