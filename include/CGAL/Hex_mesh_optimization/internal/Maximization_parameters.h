@@ -43,7 +43,7 @@ struct Maximization_parameters
   // reference. In proportion to the edge: what counts is the deviation of the model, not that of one edge.
   double attachment_weight = 1.18;
   double typical_edge = .02;
-  double size_exponent = 1.36;
+  double size_exponent = 1.35;
   // Factor for a reference of its own. The boundary of a mesh, taken for its own reference, is as rough as the mesh.
   double trust = 5;
   // Below this the energy is quadratic, above linear: with the square of d the same average deviation buys less quality.

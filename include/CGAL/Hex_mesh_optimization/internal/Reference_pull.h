@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -68,7 +67,6 @@ public:
     const bool is_first = links_.empty();
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
-    now_ = nullptr;
     if (is_first || !is_known(points)) {
       known_ = boundary_as_reference(complex_, points, !is_first);
       nearby_.reset(samples_.size());
@@ -147,13 +145,13 @@ private:
       const Surface_point before = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
       if (nearby_.list(i, sample, (before.point - sample).norm(), *known_))
         foot = nearby_.closest(i, sample, points, known_->triangles, margin);
-      if (!foot) {
-        {
-          const std::lock_guard<std::mutex> lock(now_mutex_);
-          if (!now_)
-            now_ = boundary_as_reference(complex_, points, true);
-        }
-        return now_->closer_point(sample, before.point).value_or(before);
+      if (!foot) { // too many to be listed
+        foot = before;
+        known_->for_triangles_near(sample, (before.point - sample).norm() + margin, [&](std::size_t triangle) {
+          const Surface_point candidate = closest_point_of_triangle(sample, triangle, points, known_->triangles);
+          if ((candidate.point - sample).squaredNorm() < (foot->point - sample).squaredNorm())
+            foot = candidate;
+        });
       }
     }
     if (fast_)
@@ -171,8 +169,7 @@ private:
   std::unique_ptr<Reference_surface> known_;        // the boundary as it was when nearby_ was reset
   Nearby_triangles nearby_;                         // to each sample
   std::vector<std::size_t> fast_triangles_;         // those that have moved too far since then
-  std::mutex now_mutex_;                            // of the first that needs now_
-  std::unique_ptr<Reference_surface> fast_, now_;   // they, and the boundary, where they are now, if needed
+  std::unique_ptr<Reference_surface> fast_;         // they, where they are now
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -46,7 +46,7 @@ struct Attachment_sample
   Vertex_kind kind;
   int curve;
   double scale = 0;  // of the distance: the local edge length
-  std::size_t hint = Reference_surface::no_hint; // for the next search of the target
+  std::size_t triangle = Reference_surface::no_hint; // of the target
   double strain = 1; // grows while the sample is farther than the bound of the deviation allows
   Vector_3 target = Vector_3::Zero();
   Matrix_3 projector = Matrix_3::Zero();
@@ -311,15 +311,27 @@ private:
       s.projector = Matrix_3::Identity() - c.tangent * c.tangent.transpose();
     }
     else {
-      std::optional<Surface_point> q = nearby_.closest(i, p, surface_.points, surface_.triangles, 0);
-      if (!q) {
-        q = surface_.closest_point(p, s.hint);
-        s.hint = q->hint;
-        nearby_.list(i, p, (q->point - p).norm(), surface_);
-      }
-      s.target = q->point;
-      s.projector = direction_projector(p - q->point, surface_.normal(q->triangle, q->coordinates));
+      const Surface_point q = closest_point(i, p, s.triangle);
+      s.triangle = q.triangle;
+      s.target = q.point;
+      s.projector = direction_projector(p - q.point, surface_.normal(q.triangle, q.coordinates));
     }
+  }
+
+  // Of the reference to sample i, which was closest to triangle `before`, if there was one.
+  Surface_point closest_point(std::size_t i, const Vector_3& p, std::size_t before)
+  {
+    if (before == Reference_surface::no_hint)
+      return surface_.closest_point(p);
+    std::optional<Surface_point> q = nearby_.closest(i, p, surface_.points, surface_.triangles, 0);
+    if (!q) {
+      const Surface_point bound = closest_point_of_triangle(p, before, surface_.points, surface_.triangles);
+      if (nearby_.list(i, p, (bound.point - p).norm(), surface_))
+        q = nearby_.closest(i, p, surface_.points, surface_.triangles, 0);
+      if (!q)
+        q = surface_.closer_point(p, bound.point).value_or(bound);
+    }
+    return *q;
   }
 
   // The point of some edges nearest to a sample of the curve that they represent.
