@@ -116,7 +116,7 @@ struct Maximization_parameters
   double least_gain_of_minimum = 2e-3;
   double least_change_of_average = 1.5e-4;
   std::size_t patience = 10;
-  std::size_t settling_iterations = 20;
+  std::size_t settling_iterations = 16;
   std::size_t longest_settling_iterations = 40;
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;

@@ -7,6 +7,7 @@
 // The quadratic energies of the global step as one sparse system over vertices:
 // scalar couplings, equal in x, y and z, plus a 3×3 block at boundary vertices.
 
+#include <CGAL/Hex_mesh_optimization/internal/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/parallel.h>
 
@@ -33,8 +34,17 @@ public:
     , right(number_of_vertices, Vector_3::Zero())
     , is_fixed(number_of_vertices, false)
   {
-    std::sort(couplings.begin(), couplings.end());
-    couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
+    const Grouped_array of_first(number_of_vertices, couplings.size(), [&](std::size_t i) { return couplings[i][0]; },
+                                 [&](std::size_t i) { return couplings[i][1]; });
+    couplings.clear();
+    std::vector<int> row;
+    for (std::size_t v = 0; v < number_of_vertices; ++v) {
+      row.assign(of_first[v].begin(), of_first[v].end());
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      for (int u : row)
+        couplings.push_back({static_cast<int>(v), u});
+    }
     for (const std::array<int, 2>& c : couplings) {
       ++offsets_[c[0] + 1];
       ++offsets_[c[1] + 1];
