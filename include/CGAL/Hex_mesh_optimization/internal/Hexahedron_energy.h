@@ -85,7 +85,7 @@ public:
       // With the lengths frozen at their values, s^-⅔ is the mean ratio q of the corner, whose gradient there is that of
       // s^-⅔ exactly, and whose Hessian without the second derivative of the determinant is positive definite. Along each
       // edge s is constant, and q is not: these directions are projected out, else corners below the floor would keep all
-      // their lengths (measured: twice the iterations). f is chained on as F(q) = f(q^-3/2), F' ≥ 0; a negative F'' is
+      // their lengths (measured: 60 iterations of climbing instead of 38). f is chained on as F(q) = f(q^-3/2), F' ≥ 0; a negative F'' is
       // dropped. x and z are F' q and F'' q².
       const Real x = Number(-1.5) * f1, z = larger(Real{}, Number(2.25) * f2 + Number(3.75) * f1);
 

@@ -70,7 +70,7 @@ struct Maximization_parameters
   // It ends when no corner is below this: from nearly inverted ones, the maximization of quality climbs slowly, if at all.
   double untangled = .02;
   // Only vertices so many hexahedra around an inverted one move; twice as many after so many iterations without a
-  // hexahedron less that is inverted. After so many it gives up.
+  // hexahedron less that is inverted. After so many it gives up, and after the former number where none is left.
   std::size_t untangling_rings = 5;
   std::size_t widening_patience = 10;
   std::size_t untangling_patience = 30;
