@@ -138,6 +138,17 @@ public:
     return false;
   }
 
+  // As above, but lists the triangles anew where that is needed; nothing if there are too many. before: one of them, at best
+  // that which was the closest to where the point came from.
+  std::optional<Surface_point> closest(std::size_t i, const Vector_3& p, std::size_t before, const Positions& triangle_points,
+                                       const Reference_surface& surface, double moved)
+  {
+    std::optional<Surface_point> q = closest(i, p, triangle_points, surface.triangles, moved);
+    if (!q && list(i, p, (closest_point_of_triangle(p, before, triangle_points, surface.triangles).point - p).norm(), surface))
+      q = closest(i, p, triangle_points, surface.triangles, moved);
+    return q;
+  }
+
 private:
   static constexpr int capacity = 16; // about what can be tried in the time of a search
 

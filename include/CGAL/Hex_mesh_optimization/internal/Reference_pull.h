@@ -140,19 +140,14 @@ private:
   {
     const Vector_3& sample = samples_[i].point;
     const double margin = Nearby_triangles::margin;
-    std::optional<Surface_point> foot = nearby_.closest(i, sample, points, known_->triangles, margin);
+    std::optional<Surface_point> foot = nearby_.closest(i, sample, links_[i].triangle, points, *known_, margin);
     if (!foot) {
-      const Surface_point before = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
-      if (nearby_.list(i, sample, (before.point - sample).norm(), *known_))
-        foot = nearby_.closest(i, sample, points, known_->triangles, margin);
-      if (!foot) { // too many to be listed
-        foot = before;
-        known_->for_triangles_near(sample, (before.point - sample).norm() + margin, [&](std::size_t triangle) {
-          const Surface_point candidate = closest_point_of_triangle(sample, triangle, points, known_->triangles);
-          if ((candidate.point - sample).squaredNorm() < (foot->point - sample).squaredNorm())
-            foot = candidate;
-        });
-      }
+      foot = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
+      known_->for_triangles_near(sample, (foot->point - sample).norm() + margin, [&](std::size_t triangle) {
+        const Surface_point candidate = closest_point_of_triangle(sample, triangle, points, known_->triangles);
+        if ((candidate.point - sample).squaredNorm() < (foot->point - sample).squaredNorm())
+          foot = candidate;
+      });
     }
     if (fast_)
       if (std::optional<Surface_point> closer = fast_->closer_point(sample, foot->point)) {

@@ -38,6 +38,8 @@ namespace internal {
 // anywhere in the directions that the projector removes.
 struct Attachment_sample
 {
+  static constexpr std::size_t no_triangle = static_cast<std::size_t>(-1);
+
   std::array<int, 4> vertices;
   std::array<double, 4> shares;
   int count; // of the vertices
@@ -46,7 +48,7 @@ struct Attachment_sample
   Vertex_kind kind;
   int curve;
   double scale = 0;  // of the distance: the local edge length
-  std::size_t triangle = Reference_surface::no_hint; // of the target
+  std::size_t triangle = no_triangle; // of the target
   double strain = 1; // grows while the sample is farther than the bound of the deviation allows
   Vector_3 target = Vector_3::Zero();
   Matrix_3 projector = Matrix_3::Zero();
@@ -321,17 +323,12 @@ private:
   // Of the reference to sample i, which was closest to triangle `before`, if there was one.
   Surface_point closest_point(std::size_t i, const Vector_3& p, std::size_t before)
   {
-    if (before == Reference_surface::no_hint)
+    if (before == Attachment_sample::no_triangle)
       return surface_.closest_point(p);
-    std::optional<Surface_point> q = nearby_.closest(i, p, surface_.points, surface_.triangles, 0);
-    if (!q) {
-      const Surface_point bound = closest_point_of_triangle(p, before, surface_.points, surface_.triangles);
-      if (nearby_.list(i, p, (bound.point - p).norm(), surface_))
-        q = nearby_.closest(i, p, surface_.points, surface_.triangles, 0);
-      if (!q)
-        q = surface_.closer_point(p, bound.point).value_or(bound);
-    }
-    return *q;
+    if (const std::optional<Surface_point> q = nearby_.closest(i, p, before, surface_.points, surface_, 0))
+      return *q;
+    const Surface_point bound = closest_point_of_triangle(p, before, surface_.points, surface_.triangles);
+    return surface_.closer_point(p, bound.point).value_or(bound);
   }
 
   // The point of some edges nearest to a sample of the curve that they represent.
