@@ -6,8 +6,8 @@
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_energy.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -10,9 +10,9 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
-#include <CGAL/Hex_mesh_optimization/internal/named_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/run_engine.h>
-#include <CGAL/Hex_mesh_optimization/internal/triangle_mesh_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -3,4 +3,4 @@
 
 // The engine, compiled once for all of the programs of the project.
 
-#include <CGAL/Hex_mesh_optimization/internal/run_engine_impl.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/run_engine_impl.h>

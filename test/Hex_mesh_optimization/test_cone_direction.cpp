@@ -4,7 +4,7 @@
 // The convex program of the local step against its optimality conditions, a
 // certificate of infeasibility, and a search of the whole ball.
 
-#include <CGAL/Hex_mesh_optimization/internal/cone_direction.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/cone_direction.h>
 
 #include <gtest/gtest.h>
 

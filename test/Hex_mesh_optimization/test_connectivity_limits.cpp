@@ -4,9 +4,9 @@
 // Which hexahedra the connectivity limits, and that their limits are neither
 // exceeded nor too high.
 
-#include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/connectivity_limits.h>
-#include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "hexahedron_rotations.h"

@@ -5,9 +5,9 @@
 // are attached to them.
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hex_mesh_optimizer.h>
-#include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

@@ -5,13 +5,13 @@
 // by term, and the target lengths against eq. 22 to 24.
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
-#include <CGAL/Hex_mesh_optimization/internal/Edge_cones.h>
-#include <CGAL/Hex_mesh_optimization/internal/Global_step.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/Vertex_system.h>
-#include <CGAL/Hex_mesh_optimization/internal/boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
-#include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Global_step.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Vertex_system.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_subdivision.h>
-#include <CGAL/Hex_mesh_optimization/internal/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

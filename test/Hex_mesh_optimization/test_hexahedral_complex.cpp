@@ -5,11 +5,11 @@
 // hand, and the meshes that have no usable connectivity.
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
-#include <CGAL/Hex_mesh_optimization/internal/Conflict_free_ranges.h>
-#include <CGAL/Hex_mesh_optimization/internal/Edge_cones.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/Memory_order.h>
-#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Conflict_free_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "hexahedron_rotations.h"

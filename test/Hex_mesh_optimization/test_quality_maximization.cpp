@@ -4,21 +4,21 @@
 // The energies of quality maximization against finite differences and their
 // symmetries, what corners are penalized below, and what a run never spoils.
 
-#include <CGAL/Hex_mesh_optimization/internal/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/Corner.h>
-#include <CGAL/Hex_mesh_optimization/internal/Corner_model.h>
-#include <CGAL/Hex_mesh_optimization/internal/Distance_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedron_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/Lanes.h>
-#include <CGAL/Hex_mesh_optimization/internal/Quality_floor.h>
-#include <CGAL/Hex_mesh_optimization/internal/Quality_maximization.h>
-#include <CGAL/Hex_mesh_optimization/internal/Untangling.h>
-#include <CGAL/Hex_mesh_optimization/internal/held_back_step.h>
-#include <CGAL/Hex_mesh_optimization/internal/Surface_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/edge_relations.h>
-#include <CGAL/Hex_mesh_optimization/internal/feature_curves.h>
-#include <CGAL/Hex_mesh_optimization/internal/target_edge_lengths.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Corner.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_floor.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/hold_back.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
 #include "hexahedron_rotations.h"
 #include "mesh_families.h"

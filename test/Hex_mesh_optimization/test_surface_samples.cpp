@@ -4,9 +4,9 @@
 // Samples of a surface: as dense as they should be on one of the size of the mesh, and not more than in proportion to the
 // mesh on one of any other size. And the triangles nearby, which must be found as by a search of all.
 
-#include <CGAL/Hex_mesh_optimization/internal/Nearby_triangles.h>
-#include <CGAL/Hex_mesh_optimization/internal/Reference_surface.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface_samples.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include "mesh_families.h"
 

@@ -8,7 +8,7 @@
 // connectivity.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
-#include <CGAL/Hex_mesh_optimization/internal/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>

@@ -8,7 +8,7 @@
 // by indices, sewing by the identity of the vertices and never by position.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
-#include <CGAL/Hex_mesh_optimization/internal/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <CGAL/Container_helper.h>
 #include <CGAL/version.h>

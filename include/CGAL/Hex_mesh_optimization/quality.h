@@ -9,7 +9,7 @@
 
 #include <CGAL/assertions.h>
 
-#include <CGAL/Hex_mesh_optimization/internal/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/validity.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/MP_Float.h>
 #endif
 
-#include <CGAL/Hex_mesh_optimization/internal/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <algorithm>

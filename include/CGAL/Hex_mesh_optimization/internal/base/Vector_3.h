@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_VECTOR_3_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_VECTOR_3_H
+
+// The engine's vector: points of any kernel are brought to doubles on entry.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+using Vector_3 = Eigen::Vector3d;
+using Matrix_3 = Eigen::Matrix3d;
+using Positions = std::vector<Vector_3>;
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_VECTOR_3_H

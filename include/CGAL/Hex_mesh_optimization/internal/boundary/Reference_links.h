@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H
+
+// The other side of the deviation: samples of the reference that the boundary of
+// the mesh has left behind. Points on the mesh cannot see that the tip of a
+// protrusion was cut off; the tip can.
+
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Reference_pull
+{
+public:
+  // A sample of the reference with the point of the mesh boundary nearest to it:
+  // Σ weight_k · vertex_k of one triangle.
+  struct Link
+  {
+    Triangle_indices vertices;
+    std::array<double, 3> weights;
+    Vector_3 sample;
+    double area; // of the reference that the sample stands for
+    double distance;
+    std::size_t triangle; // of the boundary
+    bool is_new;            // by the last update
+    Vector_3 direction; // unit vector between the two, or a normal where they coincide
+  };
+
+  Reference_pull(const Hexahedral_complex& complex, const Reference_surface& surface, double spacing)
+    : complex_(complex)
+    , samples_(spread_samples(surface.points, surface.triangles, complex.boundary_faces.size(), spacing))
+  {
+    // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be missed
+    std::vector<double> around(surface.points.size(), 0.0);
+    for (const Triangle_indices& t : surface.triangles) {
+      const Vector_3& a = surface.points[t[0]];
+      const double area = (surface.points[t[1]] - a).cross(surface.points[t[2]] - a).norm() / 2;
+      for (int v : t)
+        around[v] += area / 3;
+    }
+    for (Surface_sample& sample : samples_)
+      if (sample.vertex >= 0)
+        sample.area = around[sample.vertex];
+  }
+
+  // One link for every sample, always in the same order. A link whose vertices have moved by less than `still` since it
+  // was found stays as it is.
+  const std::vector<Link>& update(const Positions& points, double still)
+  {
+    const bool is_first = links_.empty();
+    links_.resize(samples_.size());
+    found_at_.resize(samples_.size());
+    if (is_first || !is_known(points)) {
+      known_ = boundary_as_reference(complex_, points, !is_first);
+      nearby_.reset(samples_.size());
+      fast_ = nullptr;
+      if (known_->is_empty()) {
+        links_.clear();
+        return links_;
+      }
+    }
+    for_each(samples_.size(), [&](std::size_t i) {
+      links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
+      if (links_[i].is_new)
+        find_link(i, points, is_first);
+    }, 256);
+    return links_;
+  }
+
+  static constexpr double coincidence = 1e-7; // below this a distance has no direction
+
+private:
+  static bool has_moved(const Link& link, const std::array<Vector_3, 3>& before, const Positions& points, double still)
+  {
+    for (int k = 0; k < 3; ++k)
+      if ((points[link.vertices[k]] - before[k]).squaredNorm() >= still * still)
+        return true;
+    return false;
+  }
+
+  void find_link(std::size_t i, const Positions& points, bool is_first)
+  {
+    const Vector_3& sample = samples_[i].point;
+    const Surface_point foot = is_first ? known_->closest_point(sample) : closest(i, points);
+    const Triangle_indices& t = known_->triangles[foot.triangle];
+    const double distance = (foot.point - sample).norm();
+    Link& link = links_[i];
+    link = {t, foot.coordinates, sample, samples_[i].area, distance, foot.triangle, true, Vector_3::Zero()};
+    if (distance > coincidence)
+      link.direction = (foot.point - sample) / distance;
+    else if (is_first)
+      link.direction = known_->normal(foot.triangle, foot.coordinates);
+    else
+      link.direction = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
+    for (int k = 0; k < 3; ++k)
+      found_at_[i][k] = points[link.vertices[k]];
+  }
+
+  // Whether most triangles are where known_ has them. Those that are not become fast_.
+  bool is_known(const Positions& points)
+  {
+    std::vector<char> is_fast(points.size());
+    for_each(points.size(), [&](std::size_t v) {
+      is_fast[v] = (points[v] - known_->points[v]).squaredNorm() > Nearby_triangles::margin * Nearby_triangles::margin;
+    });
+    fast_triangles_.clear();
+    std::vector<Triangle_indices> triangles;
+    for (std::size_t t = 0; t < known_->triangles.size(); ++t) {
+      const Triangle_indices& vertices = known_->triangles[t];
+      if (is_fast[vertices[0]] || is_fast[vertices[1]] || is_fast[vertices[2]]) {
+        fast_triangles_.push_back(t);
+        triangles.push_back(vertices);
+      }
+    }
+    if (4 * triangles.size() > known_->triangles.size()) // to search them each time takes longer than new lists
+      return false;
+    fast_ = triangles.empty() ? nullptr : std::make_unique<Reference_surface>(points, std::move(triangles), true);
+    return true;
+  }
+
+  // The point of the boundary closest to sample i: one of the triangles near where it was, or a fast one.
+  Surface_point closest(std::size_t i, const Positions& points)
+  {
+    const Vector_3& sample = samples_[i].point;
+    const double margin = Nearby_triangles::margin;
+    std::optional<Surface_point> foot = nearby_.closest(i, sample, links_[i].triangle, points, *known_, margin);
+    if (!foot) {
+      foot = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
+      known_->for_triangles_near(sample, (foot->point - sample).norm() + margin, [&](std::size_t triangle) {
+        const Surface_point candidate = closest_point_of_triangle(sample, triangle, points, known_->triangles);
+        if ((candidate.point - sample).squaredNorm() < (foot->point - sample).squaredNorm())
+          foot = candidate;
+      });
+    }
+    if (fast_)
+      if (std::optional<Surface_point> closer = fast_->closer_point(sample, foot->point)) {
+        closer->triangle = fast_triangles_[closer->triangle];
+        return *closer;
+      }
+    return *foot;
+  }
+
+  const Hexahedral_complex& complex_;
+  std::vector<Surface_sample> samples_;
+  std::vector<Link> links_;
+  std::vector<std::array<Vector_3, 3>> found_at_;   // the vertices of each link
+  std::unique_ptr<Reference_surface> known_;        // the boundary as it was when nearby_ was reset
+  Nearby_triangles nearby_;                         // to each sample
+  std::vector<std::size_t> fast_triangles_;         // those that have moved too far since then
+  std::unique_ptr<Reference_surface> fast_;         // they, where they are now
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_DEVIATION_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_DEVIATION_H
+
+// The two-sided distance between the boundary of the mesh and the reference.
+
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+inline double bounding_box_diagonal(const Reference_surface& surface)
+{
+  Eigen::AlignedBox3d box;
+  for (const Triangle_indices& t : surface.triangles)
+    for (int v : t)
+      box.extend(surface.points[v]);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+// Distances from points spread over one surface to the other. O(samples · log triangles).
+inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, std::size_t number_of_boundary_faces,
+                             double spacing, Deviation& deviation)
+{
+  struct Part
+  {
+    double sum = 0, weight = 0, largest = 0;
+  };
+  const std::vector<Surface_sample> samples = spread_samples(from.points, from.triangles, number_of_boundary_faces, spacing);
+  const auto parts = results_of_ranges<Part>(samples.size(), [&](std::size_t begin, std::size_t end) {
+    Part part;
+    std::size_t hint = Reference_surface::no_hint; // the next sample is not far
+    for (std::size_t i = begin; i < end; ++i) {
+      const Surface_point foot = to.closest_point(samples[i].point, hint);
+      hint = foot.hint;
+      const double distance = (foot.point - samples[i].point).norm();
+      part.sum += samples[i].area * distance;
+      part.weight += samples[i].area;
+      part.largest = (std::max)(part.largest, distance);
+    }
+    return part;
+  }, 1024);
+  double sum = 0, weight = 0, largest = 0;
+  for (const Part& part : parts) {
+    sum += part.sum;
+    weight += part.weight;
+    largest = (std::max)(largest, part.largest);
+  }
+  if (weight > 0)
+    deviation.average = (std::max)(deviation.average, sum / weight);
+  deviation.maximum = (std::max)(deviation.maximum, largest);
+}
+
+inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points, const Reference_surface& reference,
+                           double spacing)
+{
+  Deviation result;
+  const std::unique_ptr<Reference_surface> boundary = boundary_as_reference(complex, points);
+  if (boundary->is_empty() || reference.is_empty())
+    return result;
+  const std::size_t faces = complex.boundary_faces.size();
+  extend_deviation(*boundary, reference, faces, spacing, result);
+  extend_deviation(reference, *boundary, faces, spacing, result);
+  const double diagonal = bounding_box_diagonal(reference);
+  result.average_relative = result.average / diagonal;
+  result.maximum_relative = result.maximum / diagonal;
+  return result;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_DEVIATION_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_ENERGY_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_ENERGY_H
+
+// The energy of one hexahedron in its eight vertices: functions of the scaled
+// Jacobians of its corners, and the shape relative to target lengths, with exact
+// gradient and a positive semi-definite model of the Hessian.
+
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// Over the corners of a hexahedron with scaled Jacobians s:
+//   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ κ/2 (m − 1)² + κ'/3 (m − 1)³,
+// infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l.
+class Hexahedron_energy
+{
+public:
+  explicit Hexahedron_energy(const Maximization_parameters& parameters)
+    : parameters_(parameters)
+    , shape_weight_(parameters.shape_weight)
+    , poor_shape_weight_(parameters.poor_shape_weight)
+  {}
+
+  // Multiplies both weights of the shape as the parameters gave them.
+  void set_shape_factor(double factor)
+  {
+    parameters_.shape_weight = factor * shape_weight_;
+    parameters_.poor_shape_weight = factor * poor_shape_weight_;
+  }
+
+  // inverse_targets: 1 / l of the edges; floor: τ of the corners.
+  template <class Real>
+  Real value(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor) const
+  {
+    using Number = typename Lane<Real>::type;
+    const Number offset = Number(parameters_.norm_offset), barrier = Number(parameters_.barrier_weight),
+                 half_floor_weight = Number(parameters_.floor_weight / 2), half_shape = Number(parameters_.shape_weight / 2),
+                 third_poor_shape = Number(parameters_.poor_shape_weight / 3);
+    const Edge_ratios<Real> ratios(frame, inverse_targets);
+    Real sum{}, norm{}, lowest = Real{} + Number(1);
+    for (int i = 0; i < 8; ++i) {
+      const Real s = Corner_frame<Real>(frame, i).scaled_jacobian, below = larger(Real{}, floor[i] - s);
+      lowest = smaller(s, lowest);
+      const Real safe = if_positive(s, larger(s, Real{} + least_scaled_jacobian<Number>()), Real{} + Number(1));
+      const Real excess = larger(Real{}, ratios.mean_ratio(i, safe) - Number(1));
+      sum += excess * excess * (half_shape + third_poor_shape * excess) - barrier * logarithm(safe) + half_floor_weight * below * below;
+      norm += power_8(Number(1) - s + offset);
+    }
+    return if_positive(lowest, sum + Number(8) * root_8(norm * Number(.125)), Real{} + std::numeric_limits<Number>::infinity());
+  }
+
+  // All scaled Jacobians must be positive. Overwrites d.
+  template <class Real>
+  void derivatives(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor,
+                   Hexahedron_derivatives<Real>& d) const
+  {
+    using Number = typename Lane<Real>::type;
+    const Number offset = Number(parameters_.norm_offset), barrier = Number(parameters_.barrier_weight),
+                 floor_weight = Number(parameters_.floor_weight), shape = Number(parameters_.shape_weight),
+                 poor_shape = Number(parameters_.poor_shape_weight);
+    const Edge_ratios<Real> ratios(frame, inverse_targets);
+    d.set_zero();
+    Real norm{};
+    for (int i = 0; i < 8; ++i)
+      norm += power_8(Number(1) - Corner_frame<Real>(frame, i).scaled_jacobian + offset);
+    norm *= Number(.125);
+    const Real outer = root_8(norm) / norm;
+    for (int i = 0; i < 8; ++i) {
+      const Corner_frame<Real> corner(frame, i);
+      const Real s = larger(corner.scaled_jacobian, Real{} + least_scaled_jacobian<Number>());
+      const Real base = Number(1) - s + offset, below = larger(Real{}, floor[i] - s), sixth = outer * base * base * power_4(base);
+      // s f'(s) and s² f''(s)
+      const Real f1 = -s * (sixth * base + floor_weight * below) - barrier;
+      const Real f2 = s * s * (Number(7) * sixth + if_positive(below, Real{} + floor_weight, Real{})) + barrier;
+
+      // With the lengths frozen at their values, s^-⅔ is the mean ratio q of the corner, whose gradient there is that of
+      // s^-⅔ exactly, and whose Hessian without the second derivative of the determinant is positive definite. Along each
+      // edge s is constant, and q is not: these directions are projected out, else corners below the floor would keep all
+      // their lengths (measured: 60 iterations of climbing instead of 38). f is chained on as F(q) = f(q^-3/2), F' ≥ 0; a negative F'' is
+      // dropped. x and z are F' q and F'' q².
+      const Real x = Number(-1.5) * f1, z = larger(Real{}, Number(2.25) * f2 + Number(3.75) * f1);
+
+      const Real m = ratios.mean_ratio(i, s), excess = larger(Real{}, m - Number(1));
+      Real r[3], squares{};
+      for (int k = 0; k < 3; ++k)
+        squares += r[k] = ratios.square[corner_edges[i][k] / 2];
+      const Real factor = Number(3) * m / squares; // of ⅓ Σ |e_i|²/l_i²
+      const Real slope = excess * (shape + poor_shape * excess), growth = shape + Number(2) * poor_shape * excess;
+      d.add(i, frame, corner, Corner_model<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
+    }
+  }
+
+private:
+  // Below this the derivatives are those at it: they would overflow.
+  template <class Number>
+  static constexpr Number least_scaled_jacobian()
+  {
+    return sizeof(Number) < sizeof(double) ? Number(1e-8) : Number(1e-100);
+  }
+
+  template <class Real>
+  static Real power_4(const Real& x) { return x * x * (x * x); }
+  template <class Real>
+  static Real power_8(const Real& x) { return power_4(x) * power_4(x); }
+  template <class Real>
+  static Real root_8(const Real& x) { return square_root(square_root(square_root(x))); }
+
+  Maximization_parameters parameters_;
+  const double shape_weight_, poor_shape_weight_; // as given
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_ENERGY_H

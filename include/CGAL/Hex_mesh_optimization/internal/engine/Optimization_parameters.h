@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_OPTIMIZATION_PARAMETERS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_OPTIMIZATION_PARAMETERS_H
+
+// Everything a caller can choose, with its default.
+
+#include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * How to optimize.
+ */
+enum class Method
+{
+  FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
+  RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
+  MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for meshes that are nearly valid.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * Where target edge lengths come from when no map gives them.
+ */
+enum class Target_edge_lengths
+{
+  ESTIMATED, ///< From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper).
+  INPUT      ///< The lengths in the input: for meshes that are graded on purpose and not tangled.
+};
+
+namespace internal {
+
+struct Optimization_parameters
+{
+  bool is_parallel = false; // in the threads of the caller's task arena, else in one
+  Method method = Method::FULL;
+  bool fixed_boundary = false;
+  double target_quality = std::numeric_limits<double>::infinity();
+  double maximum_deviation = std::numeric_limits<double>::infinity(); // length
+  double maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
+  Target_edge_lengths target_edge_lengths = Target_edge_lengths::ESTIMATED;
+  std::function<double(std::size_t, std::size_t)> target_length; // of the edge between two vertices; empty: see above
+  std::function<bool(const Iteration&)> on_iteration;
+  Feature_parameters features;
+  Rectification_parameters rectification;
+  Maximization_parameters maximization;
+  // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails: in a
+  // large mesh it takes many iterations for the last ones.
+  double left_to_untangling = 1e-4;
+  double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
+};
+
+} // namespace internal
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_OPTIMIZATION_PARAMETERS_H

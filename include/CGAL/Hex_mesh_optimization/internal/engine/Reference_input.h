@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REFERENCE_INPUT_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REFERENCE_INPUT_H
+
+// The reference as the engine takes it: a triangle surface on flat arrays.
+
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// `sharp` are edges between its points.
+struct Reference_input
+{
+  Positions points;
+  std::vector<Triangle_indices> triangles;
+  Edge_list sharp;
+  bool sharp_is_given = false; // by the user: no detection, nothing dropped
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REFERENCE_INPUT_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_NAMED_PARAMETERS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_NAMED_PARAMETERS_H
+
+// Named parameters of the caller's as the parameters of the engine.
+
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+template <class NamedParameters, class Tag>
+constexpr bool is_given =
+  !std::is_same_v<typename internal_np::Lookup_named_param_def<Tag, NamedParameters, internal_np::Param_not_found>::type,
+                  internal_np::Param_not_found>;
+
+inline void require(bool condition, const char* name)
+{
+  if (!condition)
+    throw Input_error(Input_error::Element::PARAMETER, 0, std::string("the parameter ") + name + " has no usable value");
+}
+
+// What std::ref() wraps is the caller's own object.
+template <class T>
+T& unwrapped(T& t) { return t; }
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
+
+// The vertices' keys, by which the maps of the caller are asked, must outlive the result.
+template <class NamedParameters, class Key>
+Optimization_parameters optimization_parameters(const NamedParameters& np, const std::vector<Key>& keys)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Optimization_parameters p;
+  Rectification_parameters& r = p.rectification;
+  p.method = choose_parameter(get_parameter(np, internal_np::hex_optimization_method), p.method);
+  p.fixed_boundary = choose_parameter(get_parameter(np, internal_np::hex_fixed_boundary), p.fixed_boundary);
+  p.target_quality = choose_parameter(get_parameter(np, internal_np::hex_target_quality), p.target_quality);
+  p.maximum_deviation = choose_parameter(get_parameter(np, internal_np::hex_maximum_deviation), p.maximum_deviation);
+  p.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time), p.maximum_running_time);
+  p.target_edge_lengths = choose_parameter(get_parameter(np, internal_np::hex_target_edge_lengths), p.target_edge_lengths);
+  p.features.angle_bound = choose_parameter(get_parameter(np, internal_np::features_angle_bound), p.features.angle_bound);
+  r.iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), r.iterations);
+  r.restarts = choose_parameter(get_parameter(np, internal_np::hex_number_of_restarts), r.restarts);
+  r.length_update = choose_parameter(get_parameter(np, internal_np::hex_length_update), r.length_update);
+  r.surface_weight = choose_parameter(get_parameter(np, internal_np::hex_surface_weight), r.surface_weight);
+  r.feature_weight = choose_parameter(get_parameter(np, internal_np::hex_feature_weight), r.feature_weight);
+  r.regularization_weight = choose_parameter(get_parameter(np, internal_np::hex_regularization_weight), r.regularization_weight);
+  r.cone_angle_bound = choose_parameter(get_parameter(np, internal_np::hex_cone_angle_bound), r.cone_angle_bound);
+  r.maximize_minimum_quality =
+    choose_parameter(get_parameter(np, internal_np::hex_maximize_minimum_quality), r.maximize_minimum_quality);
+  require(p.target_quality == p.target_quality, "target_quality");
+  require(p.maximum_deviation > 0, "maximum_deviation");
+  require(p.maximum_running_time >= 0, "maximum_running_time");
+  require(p.features.angle_bound >= 0 && p.features.angle_bound <= 180, "features_angle_bound");
+  require(r.surface_weight > 0 && std::isfinite(r.surface_weight), "surface_weight");
+  require(r.feature_weight > 0 && std::isfinite(r.feature_weight), "feature_weight");
+  require(r.regularization_weight >= 0 && std::isfinite(r.regularization_weight), "regularization_weight");
+  require(r.cone_angle_bound > 0 && r.cone_angle_bound < 90, "cone_angle_bound");
+
+  if constexpr (is_given<NamedParameters, internal_np::hex_target_edge_length_map_t>) {
+    const auto map = get_parameter(np, internal_np::hex_target_edge_length_map);
+    p.target_length = [map, &keys](std::size_t a, std::size_t b) {
+      return CGAL::to_double(get(map, std::make_pair(keys[a], keys[b])));
+    };
+  }
+
+  const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
+  if (verbose)
+    p.on_iteration = [](const Iteration& i) {
+      std::cerr << name(i.stage) << ' ' << i.iteration << ": energy " << i.energy
+                << ", " << i.number_of_inverted << " inverted, minimum " << i.minimum << ", average " << i.average << '\n';
+      return true;
+    };
+  if constexpr (is_given<NamedParameters, internal_np::visitor_t>) {
+    p.on_iteration = [visitor = get_parameter(np, internal_np::visitor), print = p.on_iteration](const Iteration& i) mutable {
+      if (print)
+        print(i);
+      return unwrapped(visitor).on_iteration(i);
+    };
+  }
+  return p;
+}
+
+template <class NamedParameters, class Key>
+std::vector<char> frozen_vertices(const NamedParameters& np, const std::vector<Key>& keys)
+{
+  std::vector<char> is_frozen(keys.size(), false);
+  if constexpr (is_given<NamedParameters, internal_np::vertex_is_constrained_t>) {
+    const auto map = parameters::get_parameter(np, internal_np::vertex_is_constrained);
+    for (std::size_t v = 0; v < keys.size(); ++v)
+      is_frozen[v] = get(map, keys[v]);
+  }
+  return is_frozen;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_NAMED_PARAMETERS_H

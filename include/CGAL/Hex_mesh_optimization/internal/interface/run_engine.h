@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_H
+
+// Where the templates on the caller's types hand over to the engine, which has no template parameters. Of many
+// files that call it, each would compile all of it: a project that defines
+// CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE has one file that includes run_engine_impl.h.
+
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+
+#include <vector>
+
+#ifdef CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE
+#define CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
+#else
+#define CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE inline
+#endif
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// Moves the points, or throws Input_error and leaves them.
+// reference: null when the boundary of the mesh is its own reference.
+CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
+Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
+                  const std::vector<char>& is_frozen, const Optimization_parameters& parameters);
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE
+#include <CGAL/Hex_mesh_optimization/internal/interface/run_engine_impl.h>
+#endif
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_H

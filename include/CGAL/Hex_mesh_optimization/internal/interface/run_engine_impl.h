@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_IMPL_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_IMPL_H
+
+// The definition of run_engine().
+
+#include <CGAL/Hex_mesh_optimization/internal/engine/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
+Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
+                  const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
+{
+  Status status;
+  run_concurrently(parameters.is_parallel, [&] {
+    Hex_mesh_optimizer optimizer(points, hexahedra, reference, is_frozen, parameters);
+    status = optimizer.run();
+    points = optimizer.positions();
+  });
+  return status;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_IMPL_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H
+
+// What the corners of the hexahedra are penalized below: first a floor that rises
+// ahead of the worst corner, then one that holds what was reached.
+
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Quality_floor
+{
+public:
+  // hexahedra must outlive the floor.
+  Quality_floor(const Hexahedron_batches& hexahedra, const Maximization_parameters& parameters)
+    : parameters_(parameters)
+    , hexahedra_(hexahedra)
+    , lifts_(hexahedra.number_of_hexahedra())
+    , floors_(hexahedra.number_of_hexahedra())
+  {}
+
+  // One floor for all corners, a step above the worst one and never falling. Where the connectivity makes many hexahedra
+  // poor it stays where a given part of them lies: to lift all of those would cost the average.
+  void rise(const Mesh_quality& quality)
+  {
+    highest_ = (std::max)(highest_, quality.minimum);
+    floor_ = (std::max)(floor_, (std::min)({parameters_.floor_limit, quantile(quality), quality.minimum + parameters_.floor_step}));
+    hexahedra_.for_each([this](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor_)); });
+  }
+
+  // A floor at what has to be kept, from where the rising one stood: its forces fade, where they are not needed, rather
+  // than vanish. Corners that stay below have their own floors lifted until they do not: the multipliers
+  // of an augmented Lagrangian, over the weight of the floor. No less is kept than `least`.
+  void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
+  {
+    highest_ = (std::max)(highest_, quality.minimum);
+    held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, worth_holding(quality)));
+    const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.hold_margin));
+    const bool is_first = floor_ > 0;
+    floor_ = 0;
+    const float held = static_cast<float>(held_), rate = static_cast<float>(parameters_.lift_rate);
+    const Lanes largest = Lanes{} + static_cast<float>(parameters_.largest_lift);
+    hexahedra_.for_each([&](std::size_t i) {
+      const Hexahedron_frame<Lanes> frame = hexahedra_.frame(i, points);
+      Lanes *lifts = lifts_.batch(i), *floors = floors_.batch(i);
+      for (int c = 0; c < 8; ++c) {
+        if (is_first)
+          lifts[c] = Lanes{} + carried;
+        const Lanes lifted = larger(Lanes{}, lifts[c] + rate * (held - Corner_frame<Lanes>(frame, c).scaled_jacobian));
+        lifts[c] = smaller(lifted, largest);
+        floors[c] = lifts[c] + (held + static_cast<float>(parameters_.hold_margin));
+      }
+    });
+  }
+
+  double held() const { return held_; }
+  // A higher minimum than this is not worth the deviation that it takes.
+  double worth_holding(const Mesh_quality& quality) const
+  {
+    const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
+    return (std::max)(parameters_.hold_limit, q - gap);
+  }
+  // Of each corner of the hexahedra.
+  const Batched_values<8>& floors() const { return floors_; }
+
+private:
+  double quantile(const Mesh_quality& quality) const
+  {
+    std::vector<double> sorted = quality.scaled_jacobians;
+    const std::size_t rank = static_cast<std::size_t>(parameters_.floor_fraction * sorted.size());
+    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+    return sorted[rank];
+  }
+
+  const Maximization_parameters parameters_;
+  const Hexahedron_batches& hexahedra_;
+  double floor_ = 0, highest_ = 0, held_ = 0;
+  Batched_values<8> lifts_, floors_;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H
+
+// The connectivity of a hexahedral mesh in flat arrays: edges, boundary faces
+// and the incidences that the optimization walks along.
+
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+using Hexahedron = std::array<int, 8>;
+
+// A directed edge is 2e when it runs from edges[e][0] to edges[e][1], else 2e+1.
+inline int opposite_edge(int directed) { return directed ^ 1; }
+
+class Hexahedral_complex
+{
+public:
+  struct Boundary_face
+  {
+    std::array<int, 4> vertices; // counter-clockwise seen from outside
+    int hexahedron;
+  };
+
+  // An edge of the boundary surface; left holds the face that runs along the
+  // edge in its own direction, right the other one.
+  struct Boundary_edge
+  {
+    int edge;
+    int left, right;
+  };
+
+  Hexahedral_complex(std::size_t number_of_vertices, std::vector<Hexahedron> hexahedra)
+    : hexahedra(std::move(hexahedra))
+    , is_on_boundary(number_of_vertices, false)
+    , is_used(number_of_vertices, false)
+  {
+    number_edges();
+    pair_faces();
+    number_boundary_edges();
+    vertex_hexahedra = Grouped_array(number_of_vertices, this->hexahedra.size() * 8,
+                                     [this](std::size_t k) { return this->hexahedra[k / 8][k % 8]; },
+                                     [](std::size_t k) { return static_cast<int>(k / 8); });
+    vertex_boundary_faces = Grouped_array(number_of_vertices, boundary_faces.size() * 4,
+                                          [this](std::size_t k) { return boundary_faces[k / 4].vertices[k % 4]; },
+                                          [](std::size_t k) { return static_cast<int>(k / 4); });
+    require_manifold_vertices();
+  }
+
+  std::size_t number_of_vertices() const { return is_on_boundary.size(); }
+
+  int source(int directed) const { return edges[directed / 2][directed & 1]; }
+  int target(int directed) const { return edges[directed / 2][1 - (directed & 1)]; }
+
+  std::vector<Hexahedron> hexahedra;
+  std::vector<std::array<int, 2>> edges;                 // sorted; the smaller index first
+  std::vector<std::array<int, 12>> hexahedron_edges;     // directed edges, in the order of the table
+  std::vector<std::array<std::pair<int, int>, 2>> interior_faces; // (hexahedron, local face) of either side
+  std::vector<Boundary_face> boundary_faces;
+  std::vector<Boundary_edge> boundary_edges;
+  std::vector<char> is_on_boundary;                      // of a vertex
+  std::vector<char> is_boundary_edge;                    // of an edge
+  std::vector<char> is_used;                             // of a vertex: has a hexahedron
+  Grouped_array vertex_hexahedra, vertex_boundary_faces;
+
+private:
+  void number_edges()
+  {
+    using Key = std::pair<std::uint64_t, std::uint32_t>; // (edge, 12 hexahedron + local edge)
+    std::vector<Key> keys;
+    keys.reserve(12 * hexahedra.size());
+    for (std::size_t h = 0; h < hexahedra.size(); ++h) {
+      for (int v : hexahedra[h])
+        is_used[v] = true;
+      for (int k = 0; k < 12; ++k) {
+        const std::uint64_t a = hexahedra[h][hexahedron_edges_table(k, 0)];
+        const std::uint64_t b = hexahedra[h][hexahedron_edges_table(k, 1)];
+        keys.emplace_back((std::min)(a, b) << 32 | (std::max)(a, b), static_cast<std::uint32_t>(12 * h + k));
+      }
+    }
+    std::sort(keys.begin(), keys.end());
+    hexahedron_edges.resize(hexahedra.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const int low = static_cast<int>(keys[i].first >> 32), high = static_cast<int>(keys[i].first & 0xffffffffu);
+      if (i == 0 || keys[i].first != keys[i - 1].first)
+        edges.push_back({low, high});
+      const std::size_t h = keys[i].second / 12;
+      const int k = keys[i].second % 12, e = static_cast<int>(edges.size()) - 1;
+      hexahedron_edges[h][k] = 2 * e + (hexahedra[h][hexahedron_edges_table(k, 0)] == low ? 0 : 1);
+    }
+  }
+
+  static int hexahedron_edges_table(int k, int end) { return internal::hexahedron_edges[k][end]; }
+
+  void pair_faces()
+  {
+    struct Keyed_face
+    {
+      std::array<int, 4> key;
+      int hexahedron, face;
+      bool operator<(const Keyed_face& other) const
+      {
+        return std::tie(key, hexahedron, face) < std::tie(other.key, other.hexahedron, other.face);
+      }
+    };
+    std::vector<Keyed_face> keyed;
+    keyed.reserve(6 * hexahedra.size());
+    for (std::size_t h = 0; h < hexahedra.size(); ++h)
+      for (int f = 0; f < 6; ++f) {
+        Keyed_face face{face_vertices(static_cast<int>(h), f), static_cast<int>(h), f};
+        std::sort(face.key.begin(), face.key.end());
+        keyed.push_back(face);
+      }
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<std::pair<int, int>> alone; // in the order of the hexahedra, so that nothing depends on the numbering of vertices
+    for (std::size_t i = 0; i < keyed.size();) {
+      std::size_t end = i + 1;
+      while (end < keyed.size() && keyed[end].key == keyed[i].key)
+        ++end;
+      if (end - i > 2)
+        throw Input_error(Input_error::Element::HEXAHEDRON, keyed[i + 2].hexahedron,
+                          "hexahedron " + std::to_string(keyed[i + 2].hexahedron) +
+                          " is the third one on a face that hexahedra " + std::to_string(keyed[i].hexahedron) + " and " +
+                          std::to_string(keyed[i + 1].hexahedron) + " already share");
+      if (end - i == 2)
+        interior_faces.push_back({std::make_pair(keyed[i].hexahedron, keyed[i].face),
+                                  std::make_pair(keyed[i + 1].hexahedron, keyed[i + 1].face)});
+      else
+        alone.emplace_back(keyed[i].hexahedron, keyed[i].face);
+      i = end;
+    }
+    std::sort(interior_faces.begin(), interior_faces.end());
+    std::sort(alone.begin(), alone.end());
+    for (const auto& face : interior_faces)
+      require_opposite_orientation(face);
+    for (const auto& face : alone) {
+      boundary_faces.push_back({face_vertices(face.first, face.second), face.first});
+      for (int v : boundary_faces.back().vertices)
+        is_on_boundary[v] = true;
+    }
+  }
+
+  void number_boundary_edges()
+  {
+    is_boundary_edge.assign(edges.size(), false);
+    std::vector<std::array<int, 3>> sides; // edge, reversed, face
+    sides.reserve(4 * boundary_faces.size());
+    for (std::size_t f = 0; f < boundary_faces.size(); ++f)
+      for (int k = 0; k < 4; ++k) {
+        const int a = boundary_faces[f].vertices[k], b = boundary_faces[f].vertices[(k + 1) % 4];
+        sides.push_back({find_edge(a, b) / 2, a < b ? 0 : 1, static_cast<int>(f)});
+      }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size(); i += 2) {
+      const std::array<int, 3>& left = sides[i];
+      if (i + 1 == sides.size() || sides[i + 1][0] != left[0] || sides[i + 1][1] == left[1] ||
+          (i + 2 < sides.size() && sides[i + 2][0] == left[0]))
+        throw Input_error(Input_error::Element::HEXAHEDRON, boundary_faces[left[2]].hexahedron,
+                          "the boundary is not a manifold along the edge from vertex " + std::to_string(edges[left[0]][0]) +
+                          " to vertex " + std::to_string(edges[left[0]][1]) + " of hexahedron " +
+                          std::to_string(boundary_faces[left[2]].hexahedron));
+      is_boundary_edge[left[0]] = true;
+      boundary_edges.push_back({left[0], left[2], sides[i + 1][2]});
+    }
+  }
+
+  // Around a manifold boundary vertex, one closed fan holds all boundary faces.
+  void require_manifold_vertices() const
+  {
+    for (std::size_t v = 0; v < number_of_vertices(); ++v) {
+      const auto faces = vertex_boundary_faces[v];
+      if (faces.size() == 0)
+        continue;
+      const int v_index = static_cast<int>(v);
+      const auto corner = [&](int f) {
+        const std::array<int, 4>& q = boundary_faces[f].vertices;
+        return static_cast<int>(std::find(q.begin(), q.end(), v_index) - q.begin());
+      };
+      std::size_t visited = 0;
+      int f = faces[0];
+      do {
+        const int previous = boundary_faces[f].vertices[(corner(f) + 3) % 4];
+        ++visited;
+        int next = -1;
+        for (int g : faces)
+          if (boundary_faces[g].vertices[(corner(g) + 1) % 4] == previous)
+            next = g;
+        f = next;
+      } while (f != faces[0] && f >= 0 && visited <= faces.size());
+      if (visited != faces.size())
+        throw Input_error(Input_error::Element::VERTEX, v,
+                          "the boundary is not a manifold at vertex " + std::to_string(v));
+    }
+  }
+
+  void require_opposite_orientation(const std::array<std::pair<int, int>, 2>& sides) const
+  {
+    const std::array<int, 4> a = face_vertices(sides[0].first, sides[0].second);
+    const std::array<int, 4> b = face_vertices(sides[1].first, sides[1].second);
+    const std::size_t k = std::find(b.begin(), b.end(), a[0]) - b.begin();
+    for (std::size_t i = 0; i < 4; ++i)
+      if (a[i] != b[(k + 4 - i) % 4])
+        throw Input_error(Input_error::Element::HEXAHEDRON, sides[1].first,
+                          "hexahedra " + std::to_string(sides[0].first) + " and " + std::to_string(sides[1].first) +
+                          " share four vertices but not a face with opposite orientations");
+  }
+
+  std::array<int, 4> face_vertices(int hexahedron, int face) const
+  {
+    const Hexahedron& h = hexahedra[hexahedron];
+    const auto& f = hexahedron_faces[face];
+    return {h[f[0]], h[f[1]], h[f[2]], h[f[3]]};
+  }
+
+public:
+  // The directed edge from vertex a to vertex b, which must exist. O(log edges).
+  int find_edge(int a, int b) const
+  {
+    const std::array<int, 2> key{(std::min)(a, b), (std::max)(a, b)};
+    const auto it = std::lower_bound(edges.begin(), edges.end(), key);
+    return 2 * static_cast<int>(it - edges.begin()) + (a < b ? 0 : 1);
+  }
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H

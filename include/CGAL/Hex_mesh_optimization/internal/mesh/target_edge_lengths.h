@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H
+
+// Target edge lengths: their estimation from the boundary (eq. 22) and their
+// update where the quality is low (eq. 23, 24).
+
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+inline std::vector<double> edge_lengths(const Hexahedral_complex& complex, const Positions& points)
+{
+  std::vector<double> lengths(complex.edges.size());
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    lengths[e] = (points[complex.edges[e][1]] - points[complex.edges[e][0]]).norm();
+  return lengths;
+}
+
+inline double mean_boundary_edge_length(const Hexahedral_complex& complex, const Positions& points)
+{
+  double sum = 0;
+  for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
+    sum += (points[complex.edges[e.edge][1]] - points[complex.edges[e.edge][0]]).norm();
+  return sum / complex.boundary_edges.size();
+}
+
+// Minimizes eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel and consecutive
+// edges. The system is diagonally dominant, so conjugate gradients need a number of steps that does not depend on the
+// mesh; each is linear in the number of edge pairs.
+inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted)
+{
+  const std::size_t n = wanted.size();
+  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
+  const std::vector<double>& right = wanted;
+  std::vector<double> diagonal(n), lengths(n, mean);
+  for (std::size_t e = 0; e < n; ++e)
+    diagonal[e] = 1 + 2 * (relations.parallel_degree[e] + relations.consecutive_degree[e]);
+  // each pair stands twice in the sums of eq. 22, once for either edge
+  const auto apply = [&](const std::vector<double>& x, std::vector<double>& y) {
+    for (std::size_t e = 0; e < n; ++e)
+      y[e] = diagonal[e] * x[e];
+    for (const std::vector<Edge_pair>* pairs : {&relations.parallel, &relations.consecutive})
+      for (const Edge_pair& p : *pairs) {
+        y[p.first / 2] -= 2 * x[p.second / 2];
+        y[p.second / 2] -= 2 * x[p.first / 2];
+      }
+  };
+  std::vector<double> r(n), z(n), d(n), Ad(n);
+  apply(lengths, r);
+  double rz = 0;
+  for (std::size_t e = 0; e < n; ++e) {
+    r[e] = right[e] - r[e];
+    d[e] = z[e] = r[e] / diagonal[e];
+    rz += r[e] * z[e];
+  }
+  const double stop = 1e-12 * mean * mean * n;
+  for (int iteration = 0; iteration < 500 && rz > stop; ++iteration) {
+    apply(d, Ad);
+    double dAd = 0;
+    for (std::size_t e = 0; e < n; ++e)
+      dAd += d[e] * Ad[e];
+    const double step = rz / dAd;
+    double next = 0;
+    for (std::size_t e = 0; e < n; ++e) {
+      lengths[e] += step * d[e];
+      r[e] -= step * Ad[e];
+      z[e] = r[e] / diagonal[e];
+      next += r[e] * z[e];
+    }
+    for (std::size_t e = 0; e < n; ++e)
+      d[e] = z[e] + next / rz * d[e];
+    rz = next;
+  }
+  return lengths;
+}
+
+// Boundary edges are drawn to their lengths, interior ones to the mean boundary length: it stands in for L_A because
+// the interior of a tangled mesh says nothing about lengths.
+inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
+                                                 const Positions& points)
+{
+  std::vector<double> wanted = edge_lengths(complex, points);
+  const double mean = mean_boundary_edge_length(complex, points);
+  for (std::size_t e = 0; e < wanted.size(); ++e)
+    if (!complex.is_boundary_edge[e])
+      wanted[e] = mean;
+  return smooth_edge_lengths(relations, wanted);
+}
+
+// eq. 23, 24: lengths move to the reached ones where the worst hexahedron around
+// the edge is poor.
+inline void update_edge_lengths(const Hexahedral_complex& complex, const Positions& points,
+                                const std::vector<double>& hexahedron_quality, double sigma, std::vector<double>& lengths)
+{
+  std::vector<double> worst(lengths.size(), 1.0);
+  for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
+    for (int directed : complex.hexahedron_edges[h])
+      worst[directed / 2] = (std::min)(worst[directed / 2], hexahedron_quality[h]);
+  const std::vector<double> reached = edge_lengths(complex, points);
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const double q = (std::max)(worst[e], 0.0); // an inverted element is as poor as can be
+    const double w = std::exp(-0.5 * (q / sigma) * (q / sigma));
+    lengths[e] = (1 - w) * lengths[e] + w * reached[e];
+  }
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H

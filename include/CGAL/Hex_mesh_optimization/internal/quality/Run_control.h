@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_RUN_CONTROL_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_RUN_CONTROL_H
+
+// Time limit and visitor of one run: whether to go on, and why not.
+
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Run_control
+{
+public:
+  using Callback = std::function<bool(const Iteration&)>;
+
+  explicit Run_control(double maximum_seconds = std::numeric_limits<double>::infinity(), Callback on_iteration = nullptr)
+    : start_(Clock::now())
+    , maximum_seconds_(maximum_seconds)
+    , on_iteration_(std::move(on_iteration))
+  {}
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  bool time_is_over() const { return seconds() >= maximum_seconds_; }
+
+  // Reports one iteration. False when the run has to end; return_code() says why.
+  bool after_iteration(Stage stage, std::size_t iteration, double energy, const Mesh_quality& quality)
+  {
+    ++iterations;
+    if (on_iteration_ && !on_iteration_({stage, iteration, energy, quality.inverted, quality.minimum, quality.average, seconds()})) {
+      stop(Return_code::STOPPED_BY_VISITOR);
+      return false;
+    }
+    return !check_time();
+  }
+
+  // True when the run has to end because its time is over.
+  bool check_time()
+  {
+    if (!stopped_ && time_is_over())
+      stop(Return_code::TIME_LIMIT);
+    return stopped_;
+  }
+
+  bool is_stopped() const { return stopped_; }
+  Return_code return_code() const { return return_code_; }
+
+  std::size_t iterations = 0;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void stop(Return_code why)
+  {
+    stopped_ = true;
+    return_code_ = why;
+  }
+
+  Clock::time_point start_;
+  double maximum_seconds_;
+  Callback on_iteration_;
+  bool stopped_ = false;
+  Return_code return_code_ = Return_code::CONVERGED;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_RUN_CONTROL_H

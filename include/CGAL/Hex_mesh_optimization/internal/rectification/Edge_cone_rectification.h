@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H
+
+// Algorithm 1 of "Practical Hex-Mesh Optimization via Edge-Cone Rectification"
+// (Livesu, Sheffer, Vining, Tarini; SIGGRAPH 2015): local and global steps in
+// turn, restarts with updated lengths, and the maximization of the worst cones.
+
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Global_step.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Reference_links.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Edge_cone_rectification
+{
+public:
+  // Positions are in units of the mean boundary edge; lengths are the targets.
+  Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations, const Reference_surface& surface,
+                          const Boundary_attachment& attachment, std::vector<double> lengths,
+                          const Rectification_parameters& parameters)
+    : complex_(complex)
+    , surface_(surface)
+    , attachment_(attachment)
+    , parameters_(parameters)
+    , lengths_(std::move(lengths))
+    , cones_(complex)
+    , global_(complex, relations, cones_, parameters_)
+    , pull_(complex, surface, parameters.reference_spacing)
+    , weights_(complex.number_of_vertices(), 1.0)
+    , feet_(complex.number_of_vertices(), Surface_point{Vector_3::Zero(), Vector_3::Zero(), {}, 0, Reference_surface::no_hint})
+    , targets_(cones_.size())
+  {
+    std::vector<char> is_fixed(complex.number_of_vertices());
+    for (std::size_t v = 0; v < is_fixed.size(); ++v)
+      is_fixed[v] = attachment.kind[v] == Vertex_kind::FIXED;
+    global_.fix(is_fixed);
+  }
+
+  // Improves points until nothing moves, the target is reached or no more hexahedra are inverted than tolerated, or control
+  // ends the run; leaves in them the best state met, the one that came in included.
+  void run(Positions& points, Run_control& control, double target_quality, std::size_t tolerated = 0)
+  {
+    Best best{points, Mesh_quality(complex_, points)};
+    best.highest_minimum = best.quality.minimum;
+    best.least_minimum = best.quality.invalid == 0 ? best.quality.minimum : -1;
+    iteration_ = 0;
+    is_valid_ = best.quality.invalid == 0;
+    const auto is_enough = [&] {
+      return best.quality_reaches(target_quality) || (tolerated > 0 && best.quality.inverted <= tolerated);
+    };
+    for (std::size_t restart = 0; restart <= parameters_.restarts && !control.is_stopped(); ++restart) {
+      global_.set_target_lengths(lengths_);
+      for (std::size_t i = 0; i < parameters_.iterations; ++i) {
+        const double anchor = parameters_.tangential_anchor * std::pow(parameters_.tangential_fade, double(i));
+        const bool moved = iterate(points, anchor, best, control, false);
+        if (control.is_stopped() || !moved || is_enough())
+          break;
+      }
+      if (is_enough())
+        break;
+      if (restart < parameters_.restarts && !update_lengths(points))
+        break;
+    }
+    if (parameters_.maximize_minimum_quality && best.quality.invalid == 0)
+      maximize_minimum(points, best, control, target_quality);
+    points = std::move(best.points);
+  }
+
+private:
+  struct Best
+  {
+    Positions points;
+    Mesh_quality quality;
+    double highest_minimum = -1; // among the states with as few invalid hexahedra
+    double least_minimum = -1;   // a valid mesh never gets a lower minimum
+
+    bool quality_reaches(double target) const { return quality.invalid == 0 && quality.minimum >= target; }
+
+    // Later states lie closer to the surface, so that among equally valid ones the
+    // later wins unless its minimum falls behind.
+    void offer(const Positions& candidate, const Mesh_quality& q)
+    {
+      if (q.invalid > quality.invalid || q.inverted > quality.inverted || q.minimum < least_minimum)
+        return;
+      if (q.invalid < quality.invalid)
+        highest_minimum = -1;
+      if (q.minimum >= .9 * highest_minimum) {
+        points = candidate;
+        quality = q;
+      }
+      highest_minimum = (std::max)(highest_minimum, q.minimum);
+    }
+  };
+
+  // One local and one global step. False when nothing moved any more.
+  bool iterate(Positions& points, double anchor, Best& best, Run_control& control, bool maximizing)
+  {
+    for_each(points.size(), [&](std::size_t v) {
+      if (is_smooth(static_cast<int>(v)))
+        feet_[v] = surface_.closest_point(points[v], feet_[v].hint);
+    }, 64);
+    local_step(points, maximizing);
+    global_.set_boundary(surface_, attachment_, feet_, weights_, anchor, points);
+    if (best.quality.invalid == 0)
+      pull_reference(points);
+    const Positions before = points;
+    const double energy = global_.minimize(targets_, points);
+    if (is_valid_)
+      hold_back(before, points);
+    const Mesh_quality quality(complex_, points);
+    is_valid_ = quality.invalid == 0;
+    adapt_weights(quality);
+    best.offer(points, quality);
+    control.after_iteration(Stage::RECTIFICATION, iteration_++, energy, quality);
+    return Global_step::largest_move(before, points) >= parameters_.convergence;
+  }
+
+  // From a valid state, vertices whose move would make a hexahedron invalid, or would lose most of the quality of a
+  // poor one, go only part of the way: otherwise single hexahedra keep flipping for ever.
+  void hold_back(const Positions& before, Positions& points) const
+  {
+    std::vector<double> share(points.size(), 1.0);
+    const Positions full = points;
+    for (int attempt = 0; attempt < parameters_.hold_back_attempts; ++attempt) {
+      std::vector<char> is_ruined(complex_.hexahedra.size());
+      for_each(is_ruined.size(), [&](std::size_t h) {
+        const Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
+        const double q = scaled_jacobian(x);
+        is_ruined[h] = q <= parameters_.hold_back_quality &&
+                       (q < parameters_.hold_back_loss * scaled_jacobian(hexahedron_coordinates(before, complex_.hexahedra[h])) ||
+                        hexahedron_validity(x) != Validity::VALID);
+      });
+      std::vector<char> hold(points.size(), false);
+      bool any = false;
+      for (std::size_t h = 0; h < is_ruined.size(); ++h)
+        if (is_ruined[h])
+          for (int v : complex_.hexahedra[h])
+            hold[v] = any = true;
+      if (!any)
+        return;
+      const bool last = attempt + 2 >= parameters_.hold_back_attempts;
+      for (std::size_t v = 0; v < points.size(); ++v)
+        if (hold[v]) {
+          share[v] = last ? 0 : share[v] / 2;
+          points[v] = before[v] + share[v] * (full[v] - before[v]);
+        }
+    }
+  }
+
+  // The pull gives way where the vertices had to be let go.
+  void pull_reference(const Positions& points)
+  {
+    std::vector<Reference_pull::Link> links;
+    std::vector<double> weights;
+    for (const Reference_pull::Link& link : pull_.update(points, 0)) {
+      if (link.distance <= parameters_.pull_tolerance)
+        continue;
+      links.push_back(link);
+      double weight = 1;
+      for (int v : link.vertices)
+        weight = (std::min)(weight, weights_[v]);
+      weights.push_back(parameters_.pull_weight * weight * link.area);
+    }
+    global_.set_reference_pull(links, weights);
+  }
+
+  bool is_smooth(int v) const { return attachment_.kind[v] == Vertex_kind::SURFACE; }
+
+  void local_step(const Positions& points, bool maximizing)
+  {
+    cones_.update_normals(points);
+    const double threshold = std::cos(parameters_.cone_angle_bound * 3.14159265358979323846 / 180);
+    double worst_of_mesh = 1;
+    for (double worst : results_of_ranges<double>(targets_.size(), [&](std::size_t begin, std::size_t end) {
+           double worst_of_range = 1;
+           for (std::size_t i = begin; i < end; ++i)
+             worst_of_range = (std::min)(worst_of_range, set_target(static_cast<int>(i), points, threshold, maximizing));
+           return worst_of_range;
+         }, 256))
+      worst_of_mesh = (std::min)(worst_of_mesh, worst);
+    global_.worst_cosine_of_mesh = maximizing && worst_of_mesh > 0 ? worst_of_mesh : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  // Decides for one cone. Returns the worst cosine that it has now, when maximizing.
+  double set_target(int directed, const Positions& points, double threshold, bool maximizing)
+  {
+    Vector_3 normal = Vector_3::Zero();
+    double surface_weight = 0;
+    // an edge at a feature lies in no one tangent plane
+    if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) && is_smooth(complex_.target(directed))) {
+      normal = feet_[complex_.source(directed)].normal + feet_[complex_.target(directed)].normal;
+      if (normal.norm() > 1e-3) { // opposite normals have no average
+        normal.normalize();
+        surface_weight = parameters_.direction_surface_weight;
+      }
+    }
+    const Vector_3 edge = global_.edge_vector(points, directed);
+    double wanted = threshold, worst = 1;
+    if (maximizing) {
+      const double current = cones_.worst_cosine(directed, edge.normalized());
+      worst = current;
+      if (current > threshold && current < parameters_.sufficient_quality)
+        wanted = current + parameters_.minimum_quality_step; // eq. 26
+    }
+    const Target_direction target = target_direction(cones_, directed, edge, wanted, surface_weight, normal);
+    // no room for a better axis: the previous target stays (Section 3.6)
+    if (!maximizing || target.worst_cosine >= wanted - 1e-9 || !targets_[directed].is_valid())
+      targets_[directed] = target;
+    else
+      targets_[directed].worst_cosine = cones_.worst_cosine(directed, targets_[directed].direction);
+    return worst;
+  }
+
+  void adapt_weights(const Mesh_quality& quality)
+  {
+    for (std::size_t v = 0; v < weights_.size(); ++v)
+      if (complex_.is_on_boundary[v]) {
+        const double q = quality.worst_around(complex_, static_cast<int>(v));
+        if (q < parameters_.wanted_quality)
+          weights_[v] = (std::max)(weights_[v] * parameters_.weight_relaxation, parameters_.least_weight);
+        else if (q > parameters_.wanted_quality + parameters_.wanted_margin)
+          weights_[v] = (std::min)(weights_[v] * parameters_.weight_tightening, parameters_.largest_weight);
+      }
+  }
+
+  // False when the targets stay, so that a restart would change nothing.
+  bool update_lengths(const Positions& points)
+  {
+    if (parameters_.length_update == Edge_length_update::NONE)
+      return false;
+    if (parameters_.length_update == Edge_length_update::SELECTIVE)
+      update_edge_lengths(complex_, points, Mesh_quality(complex_, points).scaled_jacobians, parameters_.length_update_sigma, lengths_);
+    else
+      lengths_ = edge_lengths(complex_, points);
+    double mean = 0;
+    for (double l : lengths_)
+      mean += l;
+    mean /= lengths_.size();
+    for (double& l : lengths_)
+      l = (std::max)(l, parameters_.least_length * mean);
+    return true;
+  }
+
+  // Section 3.6. Stops when the worst cone of the mesh no longer improves.
+  void maximize_minimum(Positions& points, Best& best, Run_control& control, double target_quality)
+  {
+    points = best.points;
+    is_valid_ = true;
+    double highest = best.quality.minimum;
+    std::size_t since = 0;
+    for (std::size_t i = 0; i < parameters_.maximization_iterations && since < 5; ++i) {
+      if (control.check_time() || best.quality_reaches(target_quality))
+        return;
+      const bool moved = iterate(points, 0, best, control, true);
+      ++since;
+      if (best.quality.minimum > highest + 1e-3) {
+        highest = best.quality.minimum;
+        since = 0;
+      }
+      if (control.is_stopped() || !moved)
+        return;
+    }
+  }
+
+  const Hexahedral_complex& complex_;
+  const Reference_surface& surface_;
+  const Boundary_attachment& attachment_;
+  const Rectification_parameters parameters_;
+  std::vector<double> lengths_;
+  Edge_cones cones_;
+  Global_step global_;
+  Reference_pull pull_;
+  std::vector<double> weights_;
+  std::vector<Surface_point> feet_; // of the vertices on the smooth surface
+  std::vector<Target_direction> targets_;
+  std::size_t iteration_ = 0;
+  bool is_valid_ = false;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H

@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
+
+// A symmetric sparse matrix of 3×3 blocks, one row of blocks a vertex, and the
+// conjugate gradients that solve with it.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Conflict_free_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Block_matrix
+{
+public:
+  // Couples the vertices of each hexahedron, but for the ends of its four diagonals.
+  explicit Block_matrix(const Hexahedral_complex& complex)
+    : diagonal(complex.number_of_vertices())
+    , offsets_(complex.number_of_vertices() + 1, 0)
+    , hexahedra_(complex.hexahedra)
+    , hexahedron_slots_(complex.hexahedra.size())
+  {
+    std::vector<int> neighbors;
+    const auto neighbors_of = [&](std::size_t v) -> std::vector<int>& {
+      neighbors.clear();
+      for (int h : complex.vertex_hexahedra[v]) {
+        const Hexahedron& corners = complex.hexahedra[h];
+        const std::size_t i = std::find(corners.begin(), corners.end(), static_cast<int>(v)) - corners.begin();
+        for (int j = 0; j < 8; ++j)
+          if (hexahedron_couplings.of[i][j] >= 0)
+            neighbors.push_back(corners[j]);
+      }
+      std::sort(neighbors.begin(), neighbors.end());
+      neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+      return neighbors;
+    };
+    ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range, [&](std::size_t v) -> const std::vector<int>& {
+      neighbors_of(v).push_back(static_cast<int>(v));
+      return neighbors;
+    });
+    for (std::size_t v = 0; v < size(); ++v) {
+      for (int u : neighbors_of(v))
+        if (is_before(static_cast<int>(v), u))
+          columns_.push_back(u);
+      offsets_[v + 1] = columns_.size();
+    }
+    entries_.resize(entries_of_block * columns_.size() + 1); // as the last row is read with one entry more
+    for (std::size_t h = 0; h < hexahedra_.size(); ++h)
+      for (int k = 0; k < Hexahedron_couplings::number; ++k) {
+        const int i = hexahedra_[h][hexahedron_couplings.first[k]], j = hexahedra_[h][hexahedron_couplings.second[k]];
+        const bool is_transposed = is_before(j, i);
+        hexahedron_slots_[h][k] = {static_cast<std::uint32_t>(is_transposed ? slot(j, i) : slot(i, j)), is_transposed};
+      }
+  }
+
+  std::size_t size() const { return diagonal.size(); }
+
+  void set_zero()
+  {
+    for_ranges(size(), [&](std::size_t begin, std::size_t end) {
+      std::fill(diagonal.begin() + begin, diagonal.begin() + end, Matrix_3::Zero());
+      std::fill(entries_.begin() + entries_of_block * offsets_[begin], entries_.begin() + entries_of_block * offsets_[end], 0.f);
+    });
+  }
+
+  // Adds B at (i, j) and, i ≠ j, its transpose at (j, i). Both vertices must belong to one face.
+  void add(int i, int j, const Matrix_3& B)
+  {
+    if (i == j) {
+      diagonal[i] += B;
+      return;
+    }
+    const bool is_transposed = is_before(j, i);
+    float* block = entries_.data() + entries_of_block * (is_transposed ? slot(j, i) : slot(i, j));
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        block[3 * r + c] += static_cast<float>(is_transposed ? B(c, r) : B(r, c));
+  }
+
+  // Adds what one lane holds for a hexahedron.
+  template <class Real>
+  void add(std::size_t hexahedron, const Hexahedron_derivatives<Real>& derivatives, int lane_of_hexahedron)
+  {
+    const Hexahedron& h = hexahedra_[hexahedron];
+    const auto entry = [lane_of_hexahedron](const Real& x) { return lane(x, lane_of_hexahedron); };
+    for (int i = 0; i < 8; ++i) {
+      const Real* d = derivatives.diagonal[i];
+      Matrix_3& D = diagonal[h[i]];
+      int n = 0;
+      for (int a = 0; a < 3; ++a)
+        for (int b = a; b < 3; ++b, ++n) {
+          const auto value = entry(d[n]);
+          D(a, b) += value;
+          if (a != b)
+            D(b, a) += value;
+        }
+    }
+    for (int k = 0; k < Hexahedron_couplings::number; ++k) {
+      const Real* b = derivatives.coupling[k];
+      const Slot slot = hexahedron_slots_[hexahedron][k];
+      float* B = entries_.data() + entries_of_block * slot.number;
+      const int right = slot.is_transposed ? 3 : 1, down = slot.is_transposed ? 1 : 3;
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+          B[down * r + right * c] += static_cast<float>(entry(b[3 * r + c]));
+    }
+  }
+
+  // Approximates A x = b from x = 0, in the rows that are not fixed, until the residual has dropped by `tolerance`, in
+  // the norm of the preconditioner. That is symmetric Gauss-Seidel, A ≈ (D + L) D⁻¹ (D + Lᵀ), in the form of Eisenstat
+  // (1981): with d' = (D + Lᵀ) d, (D + L)⁻¹ A d = d + (D + L)⁻¹ Lᵀ d costs no more than A d. Rows of one color come before
+  // those of the next, so that the sweeps run in parallel and do not depend on the number of threads. Returns the
+  // iterations. The Hessian is a model: single precision is enough, and halves the traffic.
+  int solve(const Positions& b, const std::vector<char>& is_fixed, double tolerance, int maximum_iterations, Positions& x) const
+  {
+    const std::size_t n = size();
+    double largest = 0; // so that nothing overflows
+    for (std::size_t v = 0; v < n; ++v)
+      if (!is_fixed[v])
+        largest = (std::max)(largest, b[v].cwiseAbs().maxCoeff());
+    x.assign(n, Vector_3::Zero());
+    if (!(largest > 0) || !std::isfinite(largest))
+      return 0;
+    std::vector<Diagonal_block> D(n), inverse(n); // D⁻¹, 0 in fixed rows
+    // in terms of the sweeps: the residual r' = (D + L)⁻¹ r, the direction d'
+    const Vector zero = Vector::Zero();
+    std::vector<Vector> y(n, zero), r(n), d(n), swept_d(n), Ad(n), w(n, zero);
+    for_each(n, [&](std::size_t v) {
+      D[v] = Diagonal_block(diagonal[v]);
+      if (!is_fixed[v]) {
+        inverse[v] = Diagonal_block(diagonal[v].inverse());
+        w[v].head<3>() = (b[v] / largest).cast<float>();
+      }
+    });
+    solve_lower(inverse, w, r);
+    double rz = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t v = begin; v < end; ++v) {
+        swept_d[v] = D[v] * r[v];
+        sum += (r[v] * swept_d[v]).sum();
+      }
+      return sum;
+    });
+    const double stop = tolerance * tolerance * rz;
+    int iteration = 0;
+    for (; iteration < maximum_iterations && rz > stop; ++iteration) {
+      solve_upper(inverse, swept_d, d, w);
+      solve_lower(inverse, w, Ad);
+      const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v) {
+          Ad[v] += d[v];
+          sum += (swept_d[v] * Ad[v]).sum();
+        }
+        return sum;
+      });
+      if (!(dAd > 0))
+        break;
+      const float step = static_cast<float>(rz / dAd);
+      const double next = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v) {
+          y[v] += step * d[v];
+          r[v] -= step * Ad[v];
+          w[v] = D[v] * r[v];
+          sum += (r[v] * w[v]).sum();
+        }
+        return sum;
+      });
+      const float ratio = static_cast<float>(next / rz);
+      for_each(n, [&](std::size_t v) { swept_d[v] = w[v] + ratio * swept_d[v]; });
+      rz = next;
+    }
+    for_each(n, [&](std::size_t v) { x[v] = largest * y[v].head<3>().matrix().cast<double>(); });
+    return iteration;
+  }
+
+  std::vector<Matrix_3> diagonal;
+
+private:
+  static constexpr std::size_t rows_of_range = 512;
+
+  static constexpr std::size_t entries_of_block = 9;
+
+  // Four numbers, as registers have them; the last one is 0.
+  using Vector = Eigen::Array4f;
+  using Row = Eigen::Map<const Vector>;
+
+  struct Diagonal_block
+  {
+    Vector columns[3];
+
+    Diagonal_block() : columns{Vector::Zero(), Vector::Zero(), Vector::Zero()} {}
+    explicit Diagonal_block(const Matrix_3& B) : Diagonal_block()
+    {
+      for (int c = 0; c < 3; ++c)
+        columns[c].head<3>() = B.col(c).cast<float>();
+    }
+
+    Vector operator*(const Vector& x) const { return columns[0] * x[0] + columns[1] * x[1] + columns[2] * x[2]; }
+  };
+
+  std::size_t slot(int i, int j) const
+  {
+    return std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j) - columns_.begin();
+  }
+
+  // The order of the sweeps.
+  bool is_before(int i, int j) const
+  {
+    const std::size_t a = ranges_->color(i), b = ranges_->color(j);
+    return a < b || (a == b && i < j);
+  }
+
+  // Solves (D + L) y = b; overwrites b.
+  void solve_lower(const std::vector<Diagonal_block>& inverse, std::vector<Vector>& b, std::vector<Vector>& y) const
+  {
+    ranges_->for_ranges([&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const Vector x = inverse[v] * b[v];
+        y[v] = x;
+        const float *block = entries_.data() + entries_of_block * offsets_[v], x0 = x[0], x1 = x[1], x2 = x[2];
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k, block += entries_of_block)
+          b[columns_[k]] -= Row(block) * x0 + Row(block + 3) * x1 + Row(block + 6) * x2; // and nonsense in the last number
+      }
+    });
+  }
+
+  // Solves (D + Lᵀ) y = b, and gives Lᵀ y.
+  void solve_upper(const std::vector<Diagonal_block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y, std::vector<Vector>& Ly) const
+  {
+    ranges_->for_ranges_backwards([&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = end; v-- > begin;) {
+        Vector s0 = Vector::Zero(), s1 = s0, s2 = s0;
+        const float* block = entries_.data() + entries_of_block * offsets_[v];
+        for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k, block += entries_of_block) {
+          const Vector x = y[columns_[k]]; // its last number is 0, whatever follows a row
+          s0 += Row(block) * x;
+          s1 += Row(block + 3) * x;
+          s2 += Row(block + 6) * x;
+        }
+        Ly[v] = Vector(s0.sum(), s1.sum(), s2.sum(), 0);
+        y[v] = inverse[v] * (b[v] - Ly[v]);
+      }
+    });
+  }
+
+  struct Slot
+  {
+    std::uint32_t number : 31, is_transposed : 1;
+  };
+
+  std::vector<std::size_t> offsets_; // of the blocks of each row
+  std::vector<int> columns_;         // rows that come later than their own
+  std::vector<float> entries_;       // of the blocks, row by row
+  std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
+  const std::vector<Hexahedron>& hexahedra_;
+  std::vector<std::array<Slot, Hexahedron_couplings::number>> hexahedron_slots_; // of each coupling
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_VERTEX_SYSTEM_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_VERTEX_SYSTEM_H
+
+// The quadratic energies of the global step as one sparse system over vertices:
+// scalar couplings, equal in x, y and z, plus a 3×3 block at boundary vertices.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Vertex_system
+{
+public:
+  // couplings: every pair of vertices (smaller first) that any term will couple.
+  Vertex_system(std::size_t number_of_vertices, std::vector<std::array<int, 2>> couplings)
+    : offsets_(number_of_vertices + 1, 0)
+    , diagonal(number_of_vertices, 0.0)
+    , blocks(number_of_vertices, Matrix_3::Zero())
+    , right(number_of_vertices, Vector_3::Zero())
+    , is_fixed(number_of_vertices, false)
+  {
+    const Grouped_array of_first(number_of_vertices, couplings.size(), [&](std::size_t i) { return couplings[i][0]; },
+                                 [&](std::size_t i) { return couplings[i][1]; });
+    couplings.clear();
+    std::vector<int> row;
+    for (std::size_t v = 0; v < number_of_vertices; ++v) {
+      row.assign(of_first[v].begin(), of_first[v].end());
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      for (int u : row)
+        couplings.push_back({static_cast<int>(v), u});
+    }
+    for (const std::array<int, 2>& c : couplings) {
+      ++offsets_[c[0] + 1];
+      ++offsets_[c[1] + 1];
+    }
+    for (std::size_t v = 0; v < number_of_vertices; ++v)
+      offsets_[v + 1] += offsets_[v];
+    columns_.resize(offsets_.back());
+    couplings_.assign(offsets_.back(), 0.0);
+    std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
+    for (const std::array<int, 2>& c : couplings) // rows get their columns in increasing order
+      columns_[next[c[1]]++] = c[0];
+    for (const std::array<int, 2>& c : couplings)
+      columns_[next[c[0]]++] = c[1];
+  }
+
+  std::size_t size() const { return diagonal.size(); }
+
+  // Where the coupling of two vertices is stored in row i. O(log row).
+  std::size_t slot(int i, int j) const
+  {
+    return std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j) - columns_.begin();
+  }
+
+  const std::vector<double>& couplings() const { return couplings_; }
+  std::vector<double>& couplings() { return couplings_; }
+
+  // Solves for the minimizer by conjugate gradients with the 3×3 diagonal blocks
+  // as preconditioner, from x as start. Stops when the residual has dropped by
+  // `tolerance` relative to the right-hand side. Returns the iterations.
+  int solve(Positions& x, double tolerance, int maximum_iterations) const
+  {
+    const std::size_t n = size();
+    std::vector<Matrix_3> inverse(n);
+    for_each(n, [&](std::size_t v) {
+      inverse[v] = is_fixed[v] || diagonal[v] <= 0 ? Matrix_3(Matrix_3::Zero())
+                                                   : Matrix_3((blocks[v] + diagonal[v] * Matrix_3::Identity()).inverse());
+    });
+    Positions r(n), z(n), d(n), Ad(n);
+    multiply(x, r);
+    double rz = 0, scale = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+      r[v] = is_fixed[v] ? Vector_3(Vector_3::Zero()) : Vector_3(right[v] - r[v]);
+      z[v] = inverse[v] * r[v];
+      d[v] = z[v];
+      rz += r[v].dot(z[v]);
+      // positions are of the order of the number of edges across; what must be
+      // resolved is a fraction of one edge, whose length is the unit
+      scale += is_fixed[v] ? 0 : diagonal[v];
+    }
+    int iteration = 0;
+    for (; iteration < maximum_iterations && rz > tolerance * tolerance * scale; ++iteration) {
+      multiply(d, Ad);
+      const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v)
+          if (!is_fixed[v])
+            sum += d[v].dot(Ad[v]);
+        return sum;
+      });
+      if (!(dAd > 0))
+        break;
+      const double step = rz / dAd;
+      const double next = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t v = begin; v < end; ++v) {
+          if (is_fixed[v])
+            continue;
+          x[v] += step * d[v];
+          r[v] -= step * Ad[v];
+          z[v] = inverse[v] * r[v];
+          sum += r[v].dot(z[v]);
+        }
+        return sum;
+      });
+      const double ratio = next / rz;
+      for_each(n, [&](std::size_t v) { d[v] = z[v] + ratio * d[v]; });
+      rz = next;
+    }
+    return iteration;
+  }
+
+  // xᵀAx − 2bᵀx
+  double energy(const Positions& x) const
+  {
+    Positions Ax(size());
+    multiply(x, Ax);
+    return sum_of_ranges(size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t v = begin; v < end; ++v)
+        sum += x[v].dot(Ax[v] - 2 * right[v]);
+      return sum;
+    });
+  }
+
+private:
+  void multiply(const Positions& x, Positions& y) const
+  {
+    for_each(size(), [&](std::size_t v) {
+      Vector_3 sum = diagonal[v] * x[v] + blocks[v] * x[v];
+      for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k)
+        sum += couplings_[k] * x[columns_[k]];
+      y[v] = sum;
+    });
+  }
+
+  std::vector<std::size_t> offsets_;
+  std::vector<int> columns_;
+  std::vector<double> couplings_;
+
+public:
+  std::vector<double> diagonal;
+  std::vector<Matrix_3> blocks;
+  Positions right;
+  std::vector<char> is_fixed; // rows whose position is given
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_VERTEX_SYSTEM_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_STEP_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_STEP_H
+
+// One step of Newton's method with line search on an energy of all vertices.
+
+#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// value(points) may be infinite where the energy is not defined; assemble(points, gradient, matrix) adds to zeros, with
+// a positive semi-definite model of the Hessian; restrict_step(direction) may shorten the steps of single points. Moves
+// the points that are not fixed and returns the energy reached.
+template <class Value, class Assemble, class Restrict>
+double newton_step(const Value& value, const Assemble& assemble, const Restrict& restrict_step,
+                   const std::vector<char>& is_fixed, const Maximization_parameters& parameters, Block_matrix& matrix, Positions& points)
+{
+  Positions gradient(points.size(), Vector_3::Zero()), direction;
+  matrix.set_zero();
+  assemble(points, gradient, matrix);
+  for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
+  matrix.solve(gradient, is_fixed, parameters.solver_tolerance, parameters.solver_iterations, direction);
+  restrict_step(direction);
+  const double slope = -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t v = begin; v < end; ++v)
+      sum += gradient[v].dot(direction[v]);
+    return sum;
+  });
+  const double start = value(points);
+  Positions trial(points.size());
+  double t = 1;
+  for (int i = 0; i < parameters.line_search_steps; ++i, t /= 2) {
+    for_each(points.size(), [&](std::size_t v) { trial[v] = points[v] + t * direction[v]; });
+    const double reached = value(trial);
+    if (reached <= start + parameters.armijo * t * slope) {
+      points.swap(trial);
+      return reached;
+    }
+  }
+  return start;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_STEP_H

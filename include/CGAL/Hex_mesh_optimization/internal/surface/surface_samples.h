@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_SAMPLES_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_SAMPLES_H
+
+// Points spread evenly and deterministically over a triangle surface.
+
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+struct Surface_sample
+{
+  Vector_3 point;
+  double area; // that the sample stands for; 0 for vertices
+  int vertex;  // -1 within a triangle
+};
+
+// How many times a surface is larger than could be said to be of the size of the mesh, at least 1.
+// In units of the mean edge of the boundary.
+inline double oversize(const Positions& points, const std::vector<Triangle_indices>& triangles, std::size_t number_of_boundary_faces)
+{
+  const double largest_area = 4; // for each face of the boundary, where 1 is about what there is
+  double area = 0;
+  for (const Triangle_indices& t : triangles)
+    area += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
+  return (std::max)(1.0, area / (largest_area * double(number_of_boundary_faces)));
+}
+
+// The vertices, and in every triangle the centers of a lattice of n² equal parts with edges of about the given length;
+// the number of samples of an oversized surface is in proportion to the mesh, not to the surface.
+inline std::vector<Surface_sample> spread_samples(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                                                  std::size_t number_of_boundary_faces, double spacing)
+{
+  const double most_parts = 64; // a triangle this many times longer than the spacing is sampled more coarsely
+  const double excess = oversize(points, triangles, number_of_boundary_faces);
+  std::vector<Surface_sample> samples;
+  std::vector<char> seen(points.size(), false);
+  for (const Triangle_indices& t : triangles) {
+    const Vector_3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+    for (int v : t)
+      if (!seen[v]) {
+        seen[v] = true;
+        samples.push_back({points[v], 0.0, v});
+      }
+    const double doubled = (b - a).cross(c - a).norm();
+    const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    const double extent = excess > 1 ? std::sqrt(doubled / excess) : longest; // needles would have too many samples
+    const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(extent / spacing), most_parts)));
+    const double area = doubled / 2 / (double(n) * n);
+    const auto add = [&](double u, double v) { samples.push_back({a + u / n * (b - a) + v / n * (c - a), area, -1}); };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        add(i + 1 / 3.0, j + 1 / 3.0);
+        if (i + j + 1 < n)
+          add(i + 2 / 3.0, j + 2 / 3.0);
+      }
+  }
+  return samples;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_SAMPLES_H
