@@ -10,6 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
@@ -37,11 +38,6 @@ template <class T>
 struct Is_named_parameters : std::false_type {};
 template <class T, class Tag, class Base>
 struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type {};
-
-template <class T, class = void>
-struct Is_linear_cell_complex : std::false_type {};
-template <class T>
-struct Is_linear_cell_complex<T, std::void_t<typename T::Dart_range, typename T::Vertex_attribute_range>> : std::true_type {};
 
 // They tell the four overloads apart.
 template <class LCC, class T>

@@ -5,6 +5,7 @@
 // its calls, a property map, or memory that is used up at any allocation.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
 
 #include "mesh_families.h"
 

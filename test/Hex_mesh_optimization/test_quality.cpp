@@ -4,6 +4,7 @@
 // quality.h: values known by hand, their invariances, and the statistics of small meshes.
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Simple_cartesian.h>

@@ -5,7 +5,6 @@
 // symmetries, what corners are penalized below, and what a run never spoils.
 
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Corner.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
@@ -20,6 +19,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
+#include "Corner.h"
 #include "hexahedron_rotations.h"
 #include "mesh_families.h"
 

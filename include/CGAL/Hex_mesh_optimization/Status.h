@@ -7,7 +7,9 @@
 // What an optimization reports: why it stopped, and what the mesh was and is.
 
 #include <CGAL/Hex_mesh_optimization/Connectivity_limit.h>
-#include <CGAL/Hex_mesh_optimization/quality.h>
+#include <CGAL/Hex_mesh_optimization/Deviation.h>
+#include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
+#include <CGAL/Hex_mesh_optimization/enum.h>
 
 #include <cstddef>
 #include <limits>
@@ -15,33 +17,6 @@
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * Why an optimization stopped. None of these says that the mesh is valid: ask `Status::valid_mesh()`.
- */
-enum class Return_code
-{
-  CONVERGED,              ///< Further iterations would not improve the mesh.
-  TARGET_QUALITY_REACHED, ///< The minimum scaled Jacobian reached `target_quality`.
-  ITERATION_LIMIT,        ///< The number of iterations was used up while the mesh still improved.
-  TIME_LIMIT,             ///< `maximum_running_time` was over.
-  STOPPED_BY_VISITOR,     ///< The visitor asked to stop.
-  NO_IMPROVEMENT          ///< Nothing better than the input was found: all positions are as they were.
-};
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * Two-sided distance between the boundary of the mesh and the reference surface, measured at the vertices of both and
- * at points spread evenly over both. Average and maximum are each the larger one of both directions.
- */
-struct Deviation
-{
-  double average = 0;          ///< In units of length.
-  double maximum = 0;          ///< In units of length.
-  double average_relative = 0; ///< Over the diagonal of the bounding box of the reference.
-  double maximum_relative = 0; ///< Over the diagonal of the bounding box of the reference.
-};
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef

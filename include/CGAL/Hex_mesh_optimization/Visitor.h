@@ -6,35 +6,12 @@
 
 // How a caller watches an optimization, and stops it.
 
+#include <CGAL/Hex_mesh_optimization/enum.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * The parts an optimization consists of.
- */
-enum class Stage
-{
-  RECTIFICATION, ///< Edge-cone rectification: local and global steps in turn.
-  UNTANGLING,    ///< Removal of the inverted hexahedra that are left.
-  MAXIMIZATION   ///< Maximization of the worst and the average quality.
-};
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * returns the name of a stage, in lower case.
- */
-inline const char* name(Stage stage)
-{
-  switch (stage) {
-  case Stage::RECTIFICATION: return "rectification";
-  case Stage::UNTANGLING: return "untangling";
-  case Stage::MAXIMIZATION: return "maximization";
-  }
-  return "";
-}
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef

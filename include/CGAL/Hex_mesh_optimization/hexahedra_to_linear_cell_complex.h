@@ -8,6 +8,7 @@
 // by indices, sewing by the identity of the vertices and never by position.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <algorithm>
@@ -21,8 +22,6 @@
 #include <vector>
 
 namespace CGAL {
-
-struct Generalized_map_tag;
 
 namespace Hex_mesh_optimization {
 namespace internal {
@@ -294,27 +293,6 @@ private:
   std::vector<std::array<std::size_t, 8>> hexahedra_;
   std::vector<Face_match> face_matches_;
 };
-
-template <class LCC>
-constexpr bool is_generalized_map_v = std::is_same<typename LCC::Combinatorial_data_structure, Generalized_map_tag>::value;
-
-// From the dart that make_hexahedron() returns, which goes from corner 0 to
-// corner 4 in face 2, the dart of face `face` that starts at that face's first
-// corner. The darts of a hexahedron turn opposite to hexahedron_faces.
-template <class LCC, class Dart>
-Dart dart_of_face(LCC& lcc, Dart dart, std::size_t face)
-{
-  switch(face)
-  {
-  case 0: return lcc.opposite2(lcc.previous(dart));
-  case 1: return lcc.next(lcc.opposite2(lcc.next(dart)));
-  case 2: return dart;
-  default:
-    for(; face > 2; --face)
-      dart = lcc.opposite2(lcc.next(lcc.next(dart)));
-    return dart;
-  }
-}
 
 template <class PointRange, class LCC>
 void make_volumes(const PointRange& points, const Hexahedra_sewing& sewing, LCC& lcc)

@@ -7,11 +7,10 @@
 // Lists the points and the hexahedra of a linear cell complex by indices.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
-#include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <CGAL/Container_helper.h>
-#include <CGAL/version.h>
 
 #include <algorithm>
 #include <array>
@@ -25,23 +24,6 @@
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
-
-// CGAL 5.6 renamed handles to descriptors.
-template <class LCC>
-struct Linear_cell_complex_types
-{
-#if CGAL_VERSION_NR >= 1050600000
-  using Dart = typename LCC::Dart_const_descriptor;
-  using Vertex = typename LCC::Vertex_attribute_descriptor;
-  template <class Vertex>
-  static bool is_null(const Vertex& vertex) { return vertex == LCC::null_descriptor; }
-#else
-  using Dart = typename LCC::Dart_const_handle;
-  using Vertex = typename LCC::Vertex_attribute_handle;
-  template <class Vertex>
-  static bool is_null(const Vertex& vertex) { return vertex == LCC::null_handle; }
-#endif
-};
 
 // A Boolean mark of the darts, freed on every way out.
 template <class LCC>

@@ -7,97 +7,21 @@
 // Quality measures of hexahedra, scaled Jacobian and edge ratio, and their
 // statistics over a mesh.
 
-#include <CGAL/assertions.h>
-
+#include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/quality_statistics.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
-#include <CGAL/Hex_mesh_optimization/validity.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
-
-namespace internal {
-
-// The vector scaled to length 1. Zero vectors, and those that are not finite,
-// become NaN, which spreads to every determinant they enter.
-inline Coordinates<double> normalized(Coordinates<double> a)
-{
-  double squared_length = scalar_product(a, a);
-  if (!(squared_length > 1e-280 && squared_length < 1e280))
-  {
-    // the square may have over- or underflowed: bring the largest component to 1 first
-    const double largest = (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-    for (double& x : a)
-      x /= largest;
-    squared_length = scalar_product(a, a);
-  }
-  const double length = std::sqrt(squared_length);
-  return {{a[0] / length, a[1] / length, a[2] / length}};
-}
-
-// det(a, b, c) for unit vectors; -1 where one of them is undefined.
-inline double scaled_determinant(const Coordinates<double>& a, const Coordinates<double>& b,
-                                 const Coordinates<double>& c)
-{
-  const double d = scalar_product(cross_product(a, b), c);
-  return d > -1 ? (std::min)(d, 1.) : -1.;
-}
-
-inline double scaled_jacobian(const Hexahedron_coordinates& x)
-{
-  Edge_vectors<double> edges(x);
-  for (auto* direction : {&edges.u, &edges.v, &edges.w})
-    for (Coordinates<double>& e : *direction)
-      e = normalized(e);
-  double result = 1;
-  for (int k = 0; k < 2; ++k)
-    for (int j = 0; j < 2; ++j)
-      for (int i = 0; i < 2; ++i)
-        result = (std::min)(result, scaled_determinant(edges.u[j + 2 * k], edges.v[i + 2 * k],
-                                                       edges.w[i + 2 * j]));
-  return result;
-}
-
-// The scaled determinant of the principal axes: the Jacobian at the center.
-inline double center_scaled_jacobian(const Hexahedron_coordinates& x)
-{
-  const Edge_vectors<double> edges(x);
-  auto principal_axis = [](const std::array<Coordinates<double>, 4>& e)
-  {
-    Coordinates<double> axis;
-    for (int i = 0; i < 3; ++i)
-      axis[i] = .25 * e[0][i] + .25 * e[1][i] + .25 * e[2][i] + .25 * e[3][i];
-    return normalized(axis);
-  };
-  return scaled_determinant(principal_axis(edges.u), principal_axis(edges.v),
-                            principal_axis(edges.w));
-}
-
-inline double edge_ratio(const Hexahedron_coordinates& x)
-{
-  const Edge_vectors<double> edges(x);
-  double shortest = std::numeric_limits<double>::infinity();
-  double longest = 0;
-  for (const auto* direction : {&edges.u, &edges.v, &edges.w})
-    for (const Coordinates<double>& e : *direction)
-    {
-      const double length = std::hypot(e[0], e[1], e[2]);
-      if (!(length > 0) || std::isinf(length))
-        return std::numeric_limits<double>::infinity();
-      shortest = (std::min)(shortest, length);
-      longest = (std::max)(longest, length);
-    }
-  return longest / shortest;
-}
-
-} // namespace internal
 
 /// \ingroup PkgHexMeshOptimizationRef
 /// @{
@@ -191,47 +115,6 @@ double edge_ratio(const PointRange& p)
 }
 
 /*!
- * The quality of a hexahedral mesh in a few numbers. All qualities are free of a unit. In a mesh without
- * hexahedra, every number is 0.
- */
-struct Quality_statistics
-{
-  /// The number of hexahedra of the mesh.
-  std::size_t number_of_hexahedra = 0;
-
-  /// The number of hexahedra with a scaled Jacobian of 0 or less.
-  std::size_t number_of_inverted = 0;
-
-  /// The number of hexahedra not certified by `is_valid_hexahedron()`: but for rounding at a scaled
-  /// Jacobian of 0, the inverted ones and those that are folded between their corners.
-  std::size_t number_of_invalid = 0;
-
-  /// The minimum over the hexahedra of `scaled_jacobian()`.
-  double minimum = 0;
-
-  /// The average over the hexahedra of `scaled_jacobian()`.
-  double average = 0;
-
-  /// The standard deviation over the hexahedra of `scaled_jacobian()`; the divisor is the number of hexahedra.
-  double standard_deviation = 0;
-
-  /// The minimum over the hexahedra of `scaled_jacobian_with_center()`.
-  double minimum_with_center = 0;
-
-  /// The average over the hexahedra of `scaled_jacobian_with_center()`.
-  double average_with_center = 0;
-
-  /// The maximum over the hexahedra of `edge_ratio()`.
-  double maximum_edge_ratio = 0;
-
-  /// The median of `edge_ratio()`: entry `n / 2` of the `n` sorted values.
-  double median_edge_ratio = 0;
-
-  /// The 99th percentile of `edge_ratio()`: entry `n * 99 / 100` of the `n` sorted values.
-  double edge_ratio_99 = 0;
-};
-
-/*!
  * returns the scaled Jacobian of each hexahedron of a mesh, in the order of the hexahedra.
  *
  * \tparam PointRange a model of `RandomAccessContainer` with value type a model of `Kernel::Point_3`
@@ -256,48 +139,7 @@ std::vector<double> scaled_jacobians(const PointRange& points, const HexahedronR
 template <class PointRange, class HexahedronRange>
 Quality_statistics quality_statistics(const PointRange& points, const HexahedronRange& hexahedra)
 {
-  Quality_statistics result;
-  const std::size_t n = result.number_of_hexahedra = hexahedra.size();
-  if (n == 0)
-    return result;
-
-  std::vector<double> qualities, edge_ratios;
-  qualities.reserve(n);
-  edge_ratios.reserve(n);
-  result.minimum = result.minimum_with_center = 1;
-  for (const auto& hexahedron : hexahedra)
-  {
-    const auto x = internal::hexahedron_coordinates(points, hexahedron);
-    const double quality = internal::scaled_jacobian(x);
-    const double with_center = (std::min)(quality, internal::center_scaled_jacobian(x));
-    qualities.push_back(quality);
-    edge_ratios.push_back(internal::edge_ratio(x));
-    if (quality <= 0)
-      ++result.number_of_inverted;
-    if (internal::hexahedron_validity(x) != Validity::VALID)
-      ++result.number_of_invalid;
-    result.minimum = (std::min)(result.minimum, quality);
-    result.average += quality;
-    result.minimum_with_center = (std::min)(result.minimum_with_center, with_center);
-    result.average_with_center += with_center;
-  }
-  result.average /= double(n);
-  result.average_with_center /= double(n);
-
-  double variance = 0;
-  for (double quality : qualities)
-    variance += (quality - result.average) * (quality - result.average);
-  result.standard_deviation = std::sqrt(variance / double(n));
-
-  auto entry = [&edge_ratios](std::size_t rank)
-  {
-    std::nth_element(edge_ratios.begin(), edge_ratios.begin() + rank, edge_ratios.end());
-    return edge_ratios[rank];
-  };
-  result.median_edge_ratio = entry(n / 2);
-  result.edge_ratio_99 = entry(n * 99 / 100);
-  result.maximum_edge_ratio = entry(n - 1);
-  return result;
+  return internal::quality_statistics(points, hexahedra);
 }
 
 /*!

@@ -14,6 +14,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/vtu.h>
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -29,12 +30,7 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-template <class Type, class = void>
-struct Is_linear_cell_complex : std::false_type {};
-
-template <class Type>
-struct Is_linear_cell_complex<Type, std::void_t<typename Type::Vertex_attribute_range, typename Type::Dart_range>>
-  : std::true_type {};
+using CGAL::Hex_mesh_optimization::internal::Is_linear_cell_complex;
 
 template <class Type>
 using Linear_cell_complex_only = std::enable_if_t<Is_linear_cell_complex<Type>::value, int>;

@@ -6,7 +6,7 @@
 
 // The two-sided distance between the boundary of the mesh and the reference.
 
-#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/Deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>

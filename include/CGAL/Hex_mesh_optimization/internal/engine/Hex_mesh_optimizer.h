@@ -9,11 +9,11 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Corner.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
@@ -411,10 +411,12 @@ private:
   bool is_locked(const Hexahedron& h) const
   {
     const auto is_fixed = [&](int i) { return attachment_->kind[h[i]] == Vertex_kind::FIXED; };
-    for (int c = 0; c < 8; ++c)
-      if (is_fixed(c) && is_fixed(corner_neighbors[c][0]) && is_fixed(corner_neighbors[c][1]) && is_fixed(corner_neighbors[c][2]) &&
-          corner_at(hexahedron_corners(result_, h).data(), c).determinant <= 0)
+    for (int c = 0; c < 8; ++c) {
+      const int(&next)[3] = corner_neighbors[c];
+      const auto edge = [&](int k) { return Vector_3(result_[h[next[k]]] - result_[h[c]]); };
+      if (is_fixed(c) && is_fixed(next[0]) && is_fixed(next[1]) && is_fixed(next[2]) && edge(0).dot(edge(1).cross(edge(2))) <= 0)
         return true;
+    }
     return false;
   }
 

@@ -7,6 +7,7 @@
 // Everything a caller can choose, with its default.
 
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/enum.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
@@ -17,27 +18,6 @@
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * How to optimize.
- */
-enum class Method
-{
-  FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
-  RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
-  MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for meshes that are nearly valid.
-};
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * Where target edge lengths come from when no map gives them.
- */
-enum class Target_edge_lengths
-{
-  ESTIMATED, ///< From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper).
-  INPUT      ///< The lengths in the input: for meshes that are graded on purpose and not tangled.
-};
 
 namespace internal {
 

@@ -9,8 +9,10 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
-#include <CGAL/Hex_mesh_optimization/quality.h>
-#include <CGAL/Hex_mesh_optimization/validity.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Quality_counts.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,36 +26,28 @@ struct Mesh_quality
 {
   std::vector<double> scaled_jacobians; // of each hexahedron
   std::size_t inverted = 0;             // with a corner ≤ 0
-  std::size_t invalid = 0;              // not certified; at least the inverted ones
+  std::size_t invalid = 0;              // not certified, the inverted ones included
   double minimum = 1, average = 0;
 
   Mesh_quality(const Hexahedral_complex& complex, const Positions& points)
     : scaled_jacobians(complex.hexahedra.size())
   {
-    struct Part
-    {
-      std::size_t inverted = 0, invalid = 0;
-      double minimum = 1, sum = 0;
-    };
-    const auto parts = results_of_ranges<Part>(scaled_jacobians.size(), [&](std::size_t begin, std::size_t end) {
-      Part part;
+    const auto parts = results_of_ranges<Quality_counts>(scaled_jacobians.size(), [&](std::size_t begin, std::size_t end) {
+      Quality_counts part;
       for (std::size_t h = begin; h < end; ++h) {
         const Hexahedron_coordinates x = hexahedron_coordinates(points, complex.hexahedra[h]);
         const double q = scaled_jacobians[h] = scaled_jacobian(x);
-        part.inverted += q <= 0;
-        part.invalid += q <= 0 || hexahedron_validity(x) != Validity::VALID;
-        part.minimum = (std::min)(part.minimum, q);
-        part.sum += q;
+        part.add(q, q > 0 && hexahedron_validity(x) == Validity::VALID);
       }
       return part;
     }, 512);
-    for (const Part& part : parts) {
-      inverted += part.inverted;
-      invalid += part.invalid;
-      minimum = (std::min)(minimum, part.minimum);
-      average += part.sum;
-    }
-    average /= scaled_jacobians.size();
+    Quality_counts counts;
+    for (const Quality_counts& part : parts)
+      counts.add(part);
+    inverted = counts.inverted;
+    invalid = counts.invalid;
+    minimum = counts.minimum;
+    average = counts.sum / scaled_jacobians.size();
   }
 
   // The worst hexahedron around a vertex.

@@ -6,8 +6,8 @@
 
 // Time limit and visitor of one run: whether to go on, and why not.
 
-#include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/Hex_mesh_optimization/enum.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 
 #include <chrono>

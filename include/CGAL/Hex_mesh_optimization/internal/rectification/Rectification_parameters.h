@@ -7,21 +7,12 @@
 // The numbers of edge-cone rectification, each with its source. Lengths are in
 // units of the mean boundary edge; "paper" is Livesu et al. 2015.
 
+#include <CGAL/Hex_mesh_optimization/enum.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
-
-/*!
- * \ingroup PkgHexMeshOptimizationRef
- * What becomes of the target edge lengths once the local-global iterations have settled.
- */
-enum class Edge_length_update
-{
-  NONE,      ///< They stay.
-  SELECTIVE, ///< They move to the reached lengths where the quality is low (eq. 23 and 24 of the paper).
-  FULL       ///< The reached lengths are the new targets (first option of Section 3.4 of the paper).
-};
 
 namespace internal {
 

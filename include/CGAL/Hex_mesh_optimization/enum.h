@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_ENUM_H
+#define CGAL_HEX_MESH_OPTIMIZATION_ENUM_H
+
+// The enumerations of the package: what a caller can choose, and the answers that
+// are one of a few words.
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * How to optimize.
+ */
+enum class Method
+{
+  FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
+  RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
+  MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for meshes that are nearly valid.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * Where target edge lengths come from when no map gives them.
+ */
+enum class Target_edge_lengths
+{
+  ESTIMATED, ///< From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper).
+  INPUT      ///< The lengths in the input: for meshes that are graded on purpose and not tangled.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * What becomes of the target edge lengths once the local-global iterations have settled.
+ */
+enum class Edge_length_update
+{
+  NONE,      ///< They stay.
+  SELECTIVE, ///< They move to the reached lengths where the quality is low (eq. 23 and 24 of the paper).
+  FULL       ///< The reached lengths are the new targets (first option of Section 3.4 of the paper).
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * The parts an optimization consists of.
+ */
+enum class Stage
+{
+  RECTIFICATION, ///< Edge-cone rectification: local and global steps in turn.
+  UNTANGLING,    ///< Removal of the inverted hexahedra that are left.
+  MAXIMIZATION   ///< Maximization of the worst and the average quality.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * returns the name of a stage, in lower case.
+ */
+inline const char* name(Stage stage)
+{
+  switch (stage) {
+  case Stage::RECTIFICATION: return "rectification";
+  case Stage::UNTANGLING: return "untangling";
+  case Stage::MAXIMIZATION: return "maximization";
+  }
+  return "";
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * Why an optimization stopped. None of these says that the mesh is valid: ask `Status::valid_mesh()`.
+ */
+enum class Return_code
+{
+  CONVERGED,              ///< Further iterations would not improve the mesh.
+  TARGET_QUALITY_REACHED, ///< The minimum scaled Jacobian reached `target_quality`.
+  ITERATION_LIMIT,        ///< The number of iterations was used up while the mesh still improved.
+  TIME_LIMIT,             ///< `maximum_running_time` was over.
+  STOPPED_BY_VISITOR,     ///< The visitor asked to stop.
+  NO_IMPROVEMENT          ///< Nothing better than the input was found: all positions are as they were.
+};
+
+/// \ingroup PkgHexMeshOptimizationRef
+/// The answer of `hexahedron_validity()`.
+enum class Validity
+{
+  VALID,    ///< The Jacobian determinant is positive everywhere in the hexahedron: proven.
+  INVALID,  ///< The Jacobian determinant is zero or negative somewhere: proven.
+  UNDECIDED ///< Neither was proven within the limit on the subdivision.
+};
+
+} } // namespace CGAL::Hex_mesh_optimization
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_ENUM_H
