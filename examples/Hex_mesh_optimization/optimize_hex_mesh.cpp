@@ -194,14 +194,14 @@ void check_writable(const std::string& filename)
   const auto status = std::filesystem::status(filename, ignored);
   if (std::filesystem::is_other(status)) // to open a pipe is to use it
     return;
-  CGAL::IO::internal::Atomic_file unused(filename);
+  CGAL::Hex_mesh_optimization::internal::IO::Atomic_file unused(filename);
 }
 
 void check_output(const std::string& filename)
 {
-  const std::string extension = CGAL::IO::internal::extension_of(filename);
+  const std::string extension = CGAL::Hex_mesh_optimization::internal::IO::extension_of(filename);
   if (extension != "mesh" && extension != "vtk" && extension != "vtu")
-    CGAL::IO::internal::refuse_extension(filename);
+    CGAL::Hex_mesh_optimization::internal::IO::refuse_extension(filename);
   check_writable(filename);
 }
 
@@ -439,7 +439,7 @@ void write_json(const Options& options, const HMO::Status& status, const Mesh& m
   Json report = {{"options", json(options)}, {"status", json(status, mesh)}, {"iterations", Json::array()}};
   for (const HMO::Iteration& i : iterations)
     report["iterations"].push_back(json(i));
-  CGAL::IO::internal::Atomic_file file(options.json);
+  CGAL::Hex_mesh_optimization::internal::IO::Atomic_file file(options.json);
   file.text() = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names may be in any encoding
   file.commit();
 }

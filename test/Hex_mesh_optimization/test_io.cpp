@@ -360,7 +360,7 @@ std::string big_endian(std::initializer_list<Number> numbers)
 {
   std::string text;
   for(const Number n : numbers)
-    CGAL::IO::internal::append_binary(text, n, false);
+    CGAL::Hex_mesh_optimization::internal::IO::append_binary(text, n, false);
   return text;
 }
 
@@ -442,14 +442,14 @@ std::string bytes_of(std::initializer_list<Number> numbers, bool little_endian)
 {
   std::string text;
   for(const Number n : numbers)
-    CGAL::IO::internal::append_binary(text, n, little_endian);
+    CGAL::Hex_mesh_optimization::internal::IO::append_binary(text, n, little_endian);
   return text;
 }
 
 std::string base64(const std::string& bytes)
 {
   std::string text;
-  CGAL::IO::internal::append_base64(text, bytes);
+  CGAL::Hex_mesh_optimization::internal::IO::append_base64(text, bytes);
   return text;
 }
 
@@ -523,7 +523,7 @@ TEST_F(Io, vtu_in_other_layouts)
       header.push_back(std::uint32_t(length));
     }
     for(const std::uint32_t h : header)
-      CGAL::IO::internal::append_binary(head, h, true);
+      CGAL::Hex_mesh_optimization::internal::IO::append_binary(head, h, true);
     return "format=\"binary\">" + base64(head) + base64(data);
   };
   const std::string with_zlib = "compressor=\"vtkZLibDataCompressor\"";
@@ -609,7 +609,7 @@ TEST_F(Io, output_appears_complete_or_not_at_all)
   EXPECT_THROW(CGAL::IO::write_hex_mesh(path("old.mesh"), points, hexahedra, wrong), CGAL::IO::Hex_mesh_file_error);
   EXPECT_EQ(content(path("old.mesh")), "old");
   {
-    CGAL::IO::internal::Atomic_file file(path("old.mesh"));
+    CGAL::Hex_mesh_optimization::internal::IO::Atomic_file file(path("old.mesh"));
     file.text() = "new, but not finished";
     file.text().resize(2 << 20, ' ');
     file.write_if_large();
@@ -776,6 +776,7 @@ TEST_F(Io, surfaces_in_other_kinds_of_off_and_ply)
   };
   EXPECT_EQ(triangles("a.off", "# c\n\nOFF # c\n# c\n3 1 0 # c\n0 0 0\n1 0 0 # c\n\n0 1 0\n3 0 1 2 255 0 0\n"), 1u);
   EXPECT_EQ(triangles("a.off", "OFF 3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2"), 1u);
+  EXPECT_EQ(triangles("a.off", "COFF\n3 1 0\n0 0 0 2\n1 0 0\n0 1 0\n3 0 1 2\n"), 1u) << "one vertex has a color";
   EXPECT_EQ(triangles("a.off", "STCN4OFF\n3 1 0\n0 0 0 2 9 9 9\n2 0 0 2 9 9 9\n0 .5 0 .5 9 9\n3 0 1 2\n"), 1u);
   EXPECT_EQ(triangles("a.ply", "ply\ncomment c\nformat ascii 1.0\nelement nothing 7\nelement vertex 3\nproperty list uchar float w\n"
                                "property int x\nproperty float y\nproperty float nx\nproperty float z\nelement edge 1\n"

@@ -9,6 +9,7 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtk.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtu.h>
@@ -27,8 +28,9 @@
 #include <vector>
 
 namespace CGAL {
-namespace IO {
+namespace Hex_mesh_optimization {
 namespace internal {
+namespace IO {
 
 using CGAL::Hex_mesh_optimization::internal::Is_linear_cell_complex;
 
@@ -40,10 +42,12 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
 
 [[noreturn]] inline void refuse_extension(const std::string& filename)
 {
-  throw Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
+  throw CGAL::IO::Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
 }
 
-} // namespace internal
+} } } // namespace Hex_mesh_optimization::internal::IO
+
+namespace IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -63,19 +67,21 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
  *
  * \throws Hex_mesh_file_error naming the line if the file cannot be read; the parameters are unchanged then
  */
-template <class PointRange, class HexahedronRange, internal::No_linear_cell_complex<PointRange> = 0>
+template <class PointRange, class HexahedronRange,
+          Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
                    Hex_mesh_attachments& attachments)
 {
-  const std::string extension = internal::extension_of(filename);
-  if(extension == "mesh")
+  namespace io = Hex_mesh_optimization::internal::IO;
+  const std::string extension = io::extension_of(filename);
+  if (extension == "mesh")
     return read_medit_hex_mesh(filename, points, hexahedra, attachments);
-  if(extension == "vtk")
+  if (extension == "vtk")
     read_vtk_hex_mesh(filename, points, hexahedra);
-  else if(extension == "vtu")
+  else if (extension == "vtu")
     read_vtu_hex_mesh(filename, points, hexahedra);
   else
-    internal::refuse_extension(filename);
+    io::refuse_extension(filename);
   attachments = Hex_mesh_attachments();
 }
 
@@ -84,7 +90,8 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
  *
  * reads a hexahedral mesh as above, without attachments.
  */
-template <class PointRange, class HexahedronRange, internal::No_linear_cell_complex<PointRange> = 0>
+template <class PointRange, class HexahedronRange,
+          Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
 {
   Hex_mesh_attachments ignored;
@@ -107,22 +114,20 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
  * \throws Hex_mesh_file_error if the file cannot be read, or if a linear cell complex cannot carry
  *         the mesh, naming the hexahedron. `lcc` is unchanged then.
  */
-template <class LCC, internal::Linear_cell_complex_only<LCC> = 0>
+template <class LCC, Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
 void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& attachments)
 {
   std::vector<typename LCC::Point> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
   Hex_mesh_attachments read_attachments;
   read_hex_mesh(filename, points, hexahedra, read_attachments);
-  try
-  {
+  try {
     // Everything that can go wrong does so here.
     const Hex_mesh_optimization::internal::Hexahedra_sewing sewing(points.size(), hexahedra);
     lcc.clear();
     Hex_mesh_optimization::internal::make_volumes(points, sewing, lcc);
   }
-  catch(const Hex_mesh_optimization::Input_error& error)
-  {
+  catch (const Hex_mesh_optimization::Input_error& error) {
     throw Hex_mesh_file_error(filename, 0, error.message());
   }
   attachments = std::move(read_attachments);
@@ -133,7 +138,7 @@ void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& 
  *
  * reads a hexahedral mesh into a linear cell complex as above, without attachments.
  */
-template <class LCC, internal::Linear_cell_complex_only<LCC> = 0>
+template <class LCC, Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
 void read_hex_mesh(const std::string& filename, LCC& lcc)
 {
   Hex_mesh_attachments ignored;
@@ -171,20 +176,21 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
  * \throws Hex_mesh_file_error if the file cannot be written
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
-          internal::No_linear_cell_complex<PointRange> = 0>
+          Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
                     const Hex_mesh_attachments& attachments,
                     const NamedParameters& np = parameters::default_values())
 {
-  const std::string extension = internal::extension_of(filename);
-  if(extension == "mesh")
+  namespace io = Hex_mesh_optimization::internal::IO;
+  const std::string extension = io::extension_of(filename);
+  if (extension == "mesh")
     write_medit_hex_mesh(filename, points, hexahedra, attachments);
-  else if(extension == "vtk")
+  else if (extension == "vtk")
     write_vtk_hex_mesh(filename, points, hexahedra, np);
-  else if(extension == "vtu")
+  else if (extension == "vtu")
     write_vtu_hex_mesh(filename, points, hexahedra, np);
   else
-    internal::refuse_extension(filename);
+    io::refuse_extension(filename);
 }
 
 /*!
@@ -193,7 +199,7 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
  * writes a hexahedral mesh as above, without attachments.
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
-          internal::No_linear_cell_complex<PointRange> = 0>
+          Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
                     const NamedParameters& np = parameters::default_values())
 {
@@ -212,7 +218,7 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
  * \throws Hex_mesh_optimization::Input_error naming the volume if one is not a hexahedron
  */
 template <class LCC, class NamedParameters = parameters::Default_named_parameters,
-          internal::Linear_cell_complex_only<LCC> = 0>
+          Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
 void write_hex_mesh(const std::string& filename, const LCC& lcc, const Hex_mesh_attachments& attachments,
                     const NamedParameters& np = parameters::default_values())
 {
@@ -228,7 +234,7 @@ void write_hex_mesh(const std::string& filename, const LCC& lcc, const Hex_mesh_
  * writes a linear cell complex of hexahedra as above, without attachments.
  */
 template <class LCC, class NamedParameters = parameters::Default_named_parameters,
-          internal::Linear_cell_complex_only<LCC> = 0>
+          Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
 void write_hex_mesh(const std::string& filename, const LCC& lcc,
                     const NamedParameters& np = parameters::default_values())
 {

@@ -7,14 +7,14 @@
 // Reads a surface, to be used as the reference of a hexahedral mesh, as a triangle mesh.
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Legacy_vtk_reader.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Medit_reader.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Off_reader.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Ply_reader.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/Text_scanner.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/triangulated_polygon.h>
-#include <CGAL/Hex_mesh_optimization/IO/medit.h>
-#include <CGAL/Hex_mesh_optimization/IO/vtk.h>
-#include <CGAL/Hex_mesh_optimization/IO/vtu.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Vtu_reader.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/triangulated.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -33,18 +33,19 @@
 #include <vector>
 
 namespace CGAL {
-namespace IO {
+namespace Hex_mesh_optimization {
 namespace internal {
+namespace IO {
 
 inline Mesh_file_content read_content(const std::string& filename, const std::string& extension)
 {
-  if(extension == "off") return Off_reader(filename).read();
-  if(extension == "ply") return Ply_reader(filename).read();
-  if(extension == "mesh") return Medit_reader(filename, Wanted_cells::POLYGONS).read();
-  if(extension == "vtk") return Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read();
-  if(extension == "vtu") return Vtu_reader(filename, Wanted_cells::POLYGONS).read();
-  throw Hex_mesh_file_error(filename, 0,
-                            "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
+  if (extension == "off") return Off_reader(filename).read();
+  if (extension == "ply") return Ply_reader(filename).read();
+  if (extension == "mesh") return Medit_reader(filename, Wanted_cells::POLYGONS).read();
+  if (extension == "vtk") return Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read();
+  if (extension == "vtu") return Vtu_reader(filename, Wanted_cells::POLYGONS).read();
+  throw CGAL::IO::Hex_mesh_file_error(
+    filename, 0, "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
 }
 
 template <class Point>
@@ -52,34 +53,34 @@ void read_polygons(const std::string& filename, std::vector<Point>& points,
                    std::vector<std::vector<std::size_t>>& polygons)
 {
   const std::string extension = extension_of(filename);
-  if(extension != "obj" && extension != "stl")
-  {
+  if (extension != "obj" && extension != "stl") {
     Mesh_file_content content = read_content(filename, extension);
     copy_points(content.points, points);
     polygons = std::move(content.polygons);
     return;
   }
-  if(!std::ifstream(filename))
-    throw Hex_mesh_file_error(filename, 0, "cannot open the file for reading");
+  if (!std::ifstream(filename))
+    throw CGAL::IO::Hex_mesh_file_error(filename, 0, "cannot open the file for reading");
   bool success = false;
-  try
-  {
-    success = read_polygon_soup(filename, points, polygons);
+  try {
+    success = CGAL::IO::read_polygon_soup(filename, points, polygons);
   }
-  catch(const std::exception&) // as a number of vertices that no memory can hold
+  catch (const std::exception&) // as a number of vertices that no memory can hold
   {}
-  if(!success)
-    throw Hex_mesh_file_error(filename, 0, "it cannot be read as a surface in ." + extension + " format");
+  if (!success)
+    throw CGAL::IO::Hex_mesh_file_error(filename, 0, "it cannot be read as a surface in ." + extension + " format");
 }
 
-} // namespace internal
+} } } // namespace Hex_mesh_optimization::internal::IO
+
+namespace IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  *
  * reads a surface from a file in the format told by the extension of its name, in upper or lower case: `.off`, `.obj`,
- * `.stl`, `.ply`, or the triangles and quadrilaterals of a `.mesh`, `.vtk` (unstructured grid or polygonal data) or `.vtu`
- * file.
+ * `.stl`, `.ply`, or the triangles and quadrilaterals of a `.mesh`, `.vtk` (unstructured grid or polygonal data) or
+ * `.vtu` file.
  *
  * Polygons are triangulated and oriented consistently; where more than two meet in an edge, or several sheets in a
  * vertex, the surface is taken apart. Equal points are merged for `.stl` only, the format that has no other
@@ -97,43 +98,42 @@ template <class TriangleMesh>
 void read_surface(const std::string& filename, TriangleMesh& tmesh)
 {
   namespace PMP = Polygon_mesh_processing;
+  namespace io = Hex_mesh_optimization::internal::IO;
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type;
 
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
-  internal::read_polygons(filename, points, polygons);
+  io::read_polygons(filename, points, polygons);
 
-  for(std::size_t i = 0; i < points.size(); ++i)
-    for(const double x : internal::coordinates(points[i]))
-      if(!std::isfinite(x))
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const double x : io::coordinates(points[i]))
+      if (!std::isfinite(x))
         throw Hex_mesh_file_error(filename, 0, "point " + std::to_string(i) + " has a coordinate that is not finite");
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-    for(const std::size_t v : polygons[i])
-      if(v >= points.size())
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    for (const std::size_t v : polygons[i])
+      if (v >= points.size())
         throw Hex_mesh_file_error(filename, 0, "polygon " + std::to_string(i) + " refers to point " + std::to_string(v)
                                                + ", there are " + std::to_string(points.size()) + " points");
 
-  if(internal::extension_of(filename) == "stl")
+  if (io::extension_of(filename) == "stl")
     PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
-  for(std::vector<std::size_t>& polygon : polygons)
-  {
+  for (std::vector<std::size_t>& polygon : polygons) {
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-    while(polygon.size() > 1 && polygon.front() == polygon.back())
+    while (polygon.size() > 1 && polygon.front() == polygon.back())
       polygon.pop_back();
   }
-  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](std::vector<std::size_t> polygon)
-    {
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](std::vector<std::size_t> polygon) {
       std::sort(polygon.begin(), polygon.end());
       return polygon.size() < 3 || std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
     }), polygons.end());
   PMP::remove_isolated_points_in_polygon_soup(points, polygons);
-  if(polygons.empty())
+  if (polygons.empty())
     throw Hex_mesh_file_error(filename, 0, "the surface has no polygons");
 
-  polygons = internal::triangulated(points, std::move(polygons));
+  polygons = io::triangulated(points, std::move(polygons));
   PMP::orient_polygon_soup(points, polygons);
-  if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
+  if (!PMP::is_polygon_soup_a_polygon_mesh(polygons))
     throw Hex_mesh_file_error(filename, 0, "the polygons do not form a surface");
   TriangleMesh result;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, result);

@@ -9,8 +9,8 @@
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/Text_scanner.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/Vtk_cells.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Vtu_array.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Vtu_reader.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -35,444 +35,6 @@
 
 namespace CGAL {
 namespace IO {
-namespace internal {
-
-// Gives out the bytes of an encoded or raw block one after the other.
-class Byte_source
-{
-public:
-  Byte_source(std::string_view data, bool is_base64) : data_(data), is_base64_(is_base64) {}
-
-  // At least as many bytes as can still come.
-  std::size_t left() const { return is_base64_ ? data_.size() / 4 * 3 + 6 : data_.size(); }
-
-  // Appends `size` bytes; false if there are not as many.
-  bool read(std::size_t size, std::string& bytes)
-  {
-    if(size > left())
-      return false;
-    if(!is_base64_)
-    {
-      bytes.append(data_.substr(0, size));
-      data_.remove_prefix(size);
-      return true;
-    }
-    bytes.reserve(bytes.size() + size);
-    for(; size > 0; --size)
-    {
-      if(decoded_ == available_ && !decode())
-        return false;
-      bytes += quantum_[decoded_++];
-    }
-    return true;
-  }
-
-private:
-  // Four characters make one to three bytes. Padding ends a part, not the
-  // data: a header may be encoded on its own before them.
-  bool decode()
-  {
-    std::uint32_t bits = 0;
-    std::size_t characters = 0, padding = 0;
-    while(characters < 4)
-    {
-      if(data_.empty())
-        return false;
-      const char c = data_.front();
-      data_.remove_prefix(1);
-      if(c == ' ' || c == '\n' || c == '\r' || c == '\t')
-        continue;
-      const int value = c >= 'A' && c <= 'Z' ? c - 'A' : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52 : c == '+' ? 62 : c == '/' ? 63 : -1;
-      if(c == '=' && characters >= 2)
-        ++padding;
-      else if(value < 0 || padding > 0)
-        return false;
-      bits = bits << 6 | static_cast<std::uint32_t>(value < 0 ? 0 : value);
-      ++characters;
-    }
-    quantum_ = {static_cast<char>(bits >> 16), static_cast<char>(bits >> 8), static_cast<char>(bits)};
-    decoded_ = 0;
-    available_ = 3 - padding;
-    return true;
-  }
-
-  std::string_view data_;
-  bool is_base64_;
-  std::array<char, 3> quantum_{};
-  std::size_t decoded_ = 0;
-  std::size_t available_ = 0;
-};
-
-inline void append_base64(std::string& text, std::string_view bytes)
-{
-  static const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t bits = 0;
-    for(std::size_t b = 0; b < 3; ++b)
-      bits = bits << 8 | (i + b < bytes.size() ? static_cast<unsigned char>(bytes[i + b]) : 0u);
-    for(std::size_t b = 0; b < 4; ++b)
-      text += i + b > bytes.size() ? '=' : digits[bits >> (18 - 6 * b) & 63];
-  }
-}
-
-class Vtu_reader
-{
-public:
-  Vtu_reader(const std::string& filename, Wanted_cells wanted)
-    : filename_(filename)
-    , wanted_(wanted)
-  {}
-
-  Mesh_file_content read()
-  {
-    std::string text = read_whole_file(filename_);
-    cut_off_appended_data(text);
-    Tree tree;
-    try
-    {
-      std::istringstream in(std::move(text));
-      boost::property_tree::read_xml(in, tree);
-    }
-    catch(const boost::property_tree::xml_parser_error& error)
-    {
-      throw Hex_mesh_file_error(filename_, error.line(), error.message());
-    }
-    const auto file = tree.get_child_optional("VTKFile");
-    if(!file)
-      fail("this is no VTK file: there is no VTKFile element");
-    read_header(*file);
-    const auto grid = file->get_child_optional("UnstructuredGrid");
-    if(!grid)
-      fail("there is no UnstructuredGrid element");
-    bool has_piece = false;
-    for(const auto& child : *grid)
-      if(child.first == "Piece")
-      {
-        read_piece(child.second);
-        has_piece = true;
-      }
-    if(!has_piece)
-      fail("there is no Piece element");
-    return std::move(content_);
-  }
-
-private:
-  using Tree = boost::property_tree::ptree;
-
-  [[noreturn]] void fail(const std::string& reason) const { throw Hex_mesh_file_error(filename_, 0, reason); }
-
-  static std::string attribute(const Tree& element, const std::string& name, const std::string& otherwise = "")
-  {
-    return element.get<std::string>("<xmlattr>." + name, otherwise);
-  }
-
-  // Raw appended data are no XML: the parser must not see them.
-  void cut_off_appended_data(std::string& text)
-  {
-    const std::size_t element = text.find("<AppendedData");
-    if(element == std::string::npos)
-      return;
-    const std::size_t close = text.find('>', element);
-    const std::size_t end = text.rfind("</AppendedData");
-    const std::size_t begin = text.find('_', close);
-    if(close == std::string::npos || end == std::string::npos || begin == std::string::npos || begin >= end)
-      fail("the AppendedData element is incomplete");
-    appended_ = text.substr(begin + 1, end - begin - 1);
-    text.erase(begin, end - begin);
-  }
-
-  void read_header(const Tree& file)
-  {
-    const std::string type = attribute(file, "type");
-    if(type != "UnstructuredGrid")
-      fail("the file holds a " + Text_scanner::printable(type) + ", not an UnstructuredGrid");
-    const std::string byte_order = attribute(file, "byte_order", "LittleEndian");
-    if(byte_order != "LittleEndian" && byte_order != "BigEndian")
-      fail("unknown byte order \"" + Text_scanner::printable(byte_order) + "\"");
-    reverse_ = (byte_order == "LittleEndian") != is_little_endian_machine();
-    const std::string header_type = attribute(file, "header_type", "UInt32");
-    header_type_ = number_type(header_type);
-    if(header_type != "UInt32" && header_type != "UInt64")
-      fail("unknown header type \"" + Text_scanner::printable(header_type) + "\"");
-    const std::string compressor = attribute(file, "compressor");
-    is_compressed_ = !compressor.empty();
-    if(is_compressed_)
-    {
-      if(compressor != "vtkZLibDataCompressor")
-        fail("data compressed by " + Text_scanner::printable(compressor) + " cannot be read");
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB
-      fail("compressed data cannot be read: this program was built without zlib");
-#endif
-    }
-    if(const auto appended = file.get_child_optional("AppendedData"))
-    {
-      const std::string encoding = attribute(*appended, "encoding", "base64");
-      if(encoding != "raw" && encoding != "base64")
-        fail("unknown encoding \"" + Text_scanner::printable(encoding) + "\"");
-      appended_is_base64_ = encoding == "base64";
-    }
-  }
-
-  static Number_type number_type(const std::string& name)
-  {
-    if(name == "Float32") return {Number_kind::FLOATING, 4};
-    if(name == "Float64") return {Number_kind::FLOATING, 8};
-    if(name == "Int8") return {Number_kind::SIGNED, 1};
-    if(name == "UInt8") return {Number_kind::UNSIGNED, 1};
-    if(name == "Int16") return {Number_kind::SIGNED, 2};
-    if(name == "UInt16") return {Number_kind::UNSIGNED, 2};
-    if(name == "Int32") return {Number_kind::SIGNED, 4};
-    if(name == "UInt32") return {Number_kind::UNSIGNED, 4};
-    if(name == "Int64") return {Number_kind::SIGNED, 8};
-    if(name == "UInt64") return {Number_kind::UNSIGNED, 8};
-    return {};
-  }
-
-  std::uint64_t count(const Tree& piece, const std::string& name) const
-  {
-    std::uint64_t value = 0;
-    if(!parse_number(attribute(piece, name), value))
-      fail(name + " of a Piece is not a number");
-    return value;
-  }
-
-  const Tree& array(const Tree& piece, const std::string& group, const std::string& name) const
-  {
-    const auto parent = piece.get_child_optional(group);
-    if(parent)
-      for(const auto& child : *parent)
-        if(child.first == "DataArray" && (group == "Points" || attribute(child.second, "Name") == name))
-          return child.second;
-    fail("there is no DataArray of " + name);
-  }
-
-  // The bytes of a binary array, which must be `size`.
-  std::string read_block(Byte_source source, std::uint64_t size, const std::string& name) const
-  {
-    const auto too_short = [&] { fail("the data of " + name + " are incomplete"); };
-    const auto header = [&](std::size_t length)
-    {
-      std::vector<std::uint64_t> values;
-      std::string bytes;
-      if(length > source.left() / header_type_.size || !source.read(length * header_type_.size, bytes))
-        too_short();
-      for(std::size_t i = 0; i < length; ++i)
-        values.push_back(decode_number<std::uint64_t>(bytes.data() + i * header_type_.size, header_type_, reverse_));
-      return values;
-    };
-    const auto check_size = [&](std::uint64_t found)
-    {
-      if(found != size)
-        fail("the data of " + name + " have " + std::to_string(found) + " bytes, not " + std::to_string(size));
-    };
-
-    std::string bytes;
-    if(!is_compressed_)
-    {
-      check_size(header(1)[0]);
-      if(size > source.left() || !source.read(static_cast<std::size_t>(size), bytes))
-        too_short();
-      return bytes;
-    }
-#ifdef CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB
-    // Number of blocks, size of a block, size of the last one if it is smaller.
-    const std::vector<std::uint64_t> sizes = header(3);
-    if(sizes[0] > source.left())
-      too_short();
-    const std::vector<std::uint64_t> compressed_sizes = header(static_cast<std::size_t>(sizes[0]));
-    for(std::size_t b = 0; b < compressed_sizes.size(); ++b)
-    {
-      const bool is_partial = b + 1 == compressed_sizes.size() && sizes[2] != 0;
-      const std::uint64_t block_size = is_partial ? sizes[2] : sizes[1];
-      std::string compressed;
-      if(compressed_sizes[b] > source.left()
-         || !source.read(static_cast<std::size_t>(compressed_sizes[b]), compressed))
-        too_short();
-      // zlib shrinks by a factor of 1032 at most.
-      if(block_size > size - bytes.size() || block_size / 1040 > compressed.size())
-        fail("the compressed data of " + name + " are damaged");
-      const std::size_t begin = bytes.size();
-      bytes.resize(begin + static_cast<std::size_t>(block_size));
-      uLongf length = static_cast<uLongf>(block_size);
-      if(uncompress(reinterpret_cast<Bytef*>(&bytes[0] + begin), &length,
-                    reinterpret_cast<const Bytef*>(compressed.data()), static_cast<uLong>(compressed.size())) != Z_OK
-         || length != block_size)
-        fail("the compressed data of " + name + " are damaged");
-    }
-    check_size(bytes.size());
-#endif
-    return bytes;
-  }
-
-  template <class Value>
-  std::vector<Value> read_array(const Tree& array, std::uint64_t count, const std::string& name) const
-  {
-    const Number_type type = number_type(attribute(array, "type"));
-    if(type.size == 0 || (type.kind == Number_kind::FLOATING && std::is_integral<Value>::value))
-      fail("the type of " + name + " is \"" + Text_scanner::printable(attribute(array, "type")) + "\"");
-    const std::string format = attribute(array, "format", "ascii");
-    std::vector<Value> values;
-
-    if(format == "ascii")
-    {
-      Text_scanner scanner(filename_, array.data());
-      scanner.stop_naming_lines();
-      if(count > (array.data().size() + 1) / 2)
-        fail("the data of " + name + " are incomplete");
-      values.reserve(static_cast<std::size_t>(count));
-      for(std::uint64_t i = 0; i < count; ++i)
-      {
-        if constexpr(std::is_floating_point<Value>::value)
-          values.push_back(scanner.coordinate("a coordinate"));
-        else
-          values.push_back(scanner.integer(("a number of " + name).c_str()));
-      }
-      if(!scanner.at_end())
-        fail("the data of " + name + " are longer than they should be");
-      return values;
-    }
-
-    std::uint64_t offset = 0;
-    if(format == "appended")
-    {
-      if(!parse_number(attribute(array, "offset"), offset) || offset > appended_.size())
-        fail("the offset of " + name + " lies outside the file");
-    }
-    else if(format != "binary")
-      fail("the format of " + name + " is \"" + Text_scanner::printable(format) + "\"");
-    const Byte_source source = format == "appended"
-      ? Byte_source(std::string_view(appended_).substr(static_cast<std::size_t>(offset)), appended_is_base64_)
-      : Byte_source(array.data(), true);
-    // An empty array may have no block at all.
-    if(count == 0)
-      return values;
-    if(count > (std::uint64_t(1) << 60))
-      fail("the data of " + name + " are incomplete");
-    const std::string bytes = read_block(source, count * type.size, name);
-    values.reserve(static_cast<std::size_t>(count));
-    for(std::size_t i = 0; i < count; ++i)
-    {
-      values.push_back(decode_number<Value>(bytes.data() + i * type.size, type, reverse_));
-      if constexpr(std::is_floating_point<Value>::value)
-        if(!std::isfinite(values.back()))
-          fail("coordinate " + std::to_string(i % 3) + " of point " + std::to_string(i / 3) + " is not a finite number");
-    }
-    return values;
-  }
-
-  void read_piece(const Tree& piece)
-  {
-    const std::uint64_t number_of_points = count(piece, "NumberOfPoints");
-    const std::uint64_t number_of_cells = count(piece, "NumberOfCells");
-    const std::size_t first_point = content_.points.size();
-    if(number_of_points > (std::uint64_t(1) << 56))
-      fail("the data of points are incomplete");
-    if(number_of_points > 0)
-    {
-      const Tree& array_of_points = array(piece, "Points", "points");
-      if(attribute(array_of_points, "NumberOfComponents", "3") != "3")
-        fail("the points do not have 3 coordinates");
-      const std::vector<double> values = read_array<double>(array_of_points, 3 * number_of_points, "points");
-      content_.points.resize(first_point + static_cast<std::size_t>(number_of_points));
-      for(std::size_t i = 0; i < values.size(); ++i)
-        content_.points[first_point + i / 3][i % 3] = values[i];
-    }
-    if(number_of_cells == 0)
-      return;
-
-    const std::vector<std::int64_t> offsets
-      = read_array<std::int64_t>(array(piece, "Cells", "offsets"), number_of_cells, "offsets");
-    const std::vector<std::int64_t> types
-      = read_array<std::int64_t>(array(piece, "Cells", "types"), number_of_cells, "types");
-    bool ascending = offsets.front() >= 0;
-    for(std::size_t c = 1; c < offsets.size(); ++c)
-      ascending = ascending && offsets[c - 1] <= offsets[c];
-    if(!ascending)
-      fail("the offsets do not ascend");
-    const std::vector<std::int64_t> connectivity
-      = read_array<std::int64_t>(array(piece, "Cells", "connectivity"), static_cast<std::uint64_t>(offsets.back()),
-                                 "connectivity");
-    std::vector<std::size_t> vertices;
-    std::size_t i = 0;
-    for(std::size_t c = 0; c < offsets.size(); ++c)
-    {
-      vertices.clear();
-      for(; i < static_cast<std::size_t>(offsets[c]); ++i)
-      {
-        if(connectivity[i] < 0 || static_cast<std::uint64_t>(connectivity[i]) >= number_of_points)
-          fail("cell " + std::to_string(c) + ": point " + std::to_string(connectivity[i])
-               + " does not exist, there are " + std::to_string(number_of_points) + " points");
-        vertices.push_back(first_point + static_cast<std::size_t>(connectivity[i]));
-      }
-      const std::string wrong = add_vtk_cell(content_, wanted_, types[c], vertices.data(), vertices.size());
-      if(!wrong.empty())
-        fail("cell " + std::to_string(c) + ": " + wrong);
-    }
-  }
-
-  std::string filename_;
-  Wanted_cells wanted_;
-  std::string appended_;
-  bool appended_is_base64_ = true;
-  bool is_compressed_ = false;
-  bool reverse_ = false;
-  Number_type header_type_;
-  Mesh_file_content content_;
-};
-
-// One array of a .vtu file, as text or base64.
-template <class Number>
-class Vtu_array
-{
-public:
-  Vtu_array(Atomic_file& file, const char* type, const char* attributes, std::size_t size, bool binary)
-    : file_(file)
-    , binary_(binary)
-  {
-    file_.text() += std::string("<DataArray type=\"") + type + "\" " + attributes + " format=\""
-                    + (binary ? "binary" : "ascii") + "\">\n";
-    if(binary)
-      append_binary(bytes_, static_cast<std::uint64_t>(size * sizeof(Number)), true);
-  }
-
-  void append(Number number, char separator)
-  {
-    if(binary_)
-    {
-      append_binary(bytes_, number, true);
-      // A multiple of three bytes: the parts join without padding.
-      if(bytes_.size() >= 3 * 4096)
-        flush(bytes_.size() / 3 * 3);
-    }
-    else
-    {
-      append_number(file_.text(), number);
-      file_.text() += separator;
-    }
-    file_.write_if_large();
-  }
-
-  void close()
-  {
-    flush(bytes_.size());
-    file_.text() += binary_ ? "\n</DataArray>\n" : "</DataArray>\n";
-  }
-
-private:
-  void flush(std::size_t size)
-  {
-    append_base64(file_.text(), std::string_view(bytes_).substr(0, size));
-    bytes_.erase(0, size);
-  }
-
-  Atomic_file& file_;
-  bool binary_;
-  std::string bytes_;
-};
-
-} // namespace internal
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -480,8 +42,8 @@ private:
  * reads a hexahedral mesh from an unstructured grid in the XML format of VTK (`.vtu`).
  *
  * The numbers may be text, base64, or appended, raw or base64. Arrays compressed with zlib can be read if the macro
- * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one after
- * the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra; cells of dimension
+ * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one
+ * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra; cells of dimension
  * two and less, and data on points and cells, are skipped.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
@@ -502,7 +64,8 @@ private:
 template <class PointRange, class HexahedronRange>
 void read_vtu_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
 {
-  internal::copy_hex_mesh(internal::Vtu_reader(filename, internal::Wanted_cells::HEXAHEDRA).read(), points, hexahedra);
+  namespace io = Hex_mesh_optimization::internal::IO;
+  io::copy_hex_mesh(io::Vtu_reader(filename, io::Wanted_cells::HEXAHEDRA).read(), points, hexahedra);
 }
 
 /*!
@@ -537,37 +100,37 @@ template <class PointRange, class HexahedronRange, class NamedParameters = param
 void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
                         const NamedParameters& np = parameters::default_values())
 {
+  namespace io = Hex_mesh_optimization::internal::IO;
   const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode), false);
-  internal::Atomic_file file(filename);
+  io::Atomic_file file(filename);
   file.text() = "<?xml version=\"1.0\"?>\n"
-                "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+                "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                "header_type=\"UInt64\">\n"
                 "<UnstructuredGrid>\n"
                 "<Piece NumberOfPoints=\"" + std::to_string(points.size())
                 + "\" NumberOfCells=\"" + std::to_string(hexahedra.size()) + "\">\n<Points>\n";
-  internal::Vtu_array<double> coordinates(file, "Float64", "Name=\"Points\" NumberOfComponents=\"3\"",
+  io::Vtu_array<double> coordinates(file, "Float64", "Name=\"Points\" NumberOfComponents=\"3\"",
                                           3 * points.size(), binary);
-  for(const auto& p : points)
-  {
-    const std::array<double, 3> x = internal::coordinates(p);
-    for(int i = 0; i < 3; ++i)
+  for (const auto& p : points) {
+    const std::array<double, 3> x = io::coordinates(p);
+    for (int i = 0; i < 3; ++i)
       coordinates.append(x[i], i == 2 ? '\n' : ' ');
   }
   coordinates.close();
   file.text() += "</Points>\n<Cells>\n";
-  internal::Vtu_array<std::int64_t> connectivity(file, "Int64", "Name=\"connectivity\"", 8 * hexahedra.size(), binary);
-  for(const auto& hexahedron : hexahedra)
-  {
+  io::Vtu_array<std::int64_t> connectivity(file, "Int64", "Name=\"connectivity\"", 8 * hexahedra.size(), binary);
+  for (const auto& hexahedron : hexahedra) {
     int c = 0;
-    for(const auto& v : hexahedron)
+    for (const auto& v : hexahedron)
       connectivity.append(static_cast<std::int64_t>(v), ++c == 8 ? '\n' : ' ');
   }
   connectivity.close();
-  internal::Vtu_array<std::int64_t> offsets(file, "Int64", "Name=\"offsets\"", hexahedra.size(), binary);
-  for(std::size_t h = 1; h <= hexahedra.size(); ++h)
+  io::Vtu_array<std::int64_t> offsets(file, "Int64", "Name=\"offsets\"", hexahedra.size(), binary);
+  for (std::size_t h = 1; h <= hexahedra.size(); ++h)
     offsets.append(static_cast<std::int64_t>(8 * h), '\n');
   offsets.close();
-  internal::Vtu_array<std::uint8_t> types(file, "UInt8", "Name=\"types\"", hexahedra.size(), binary);
-  for(std::size_t h = 0; h < hexahedra.size(); ++h)
+  io::Vtu_array<std::uint8_t> types(file, "UInt8", "Name=\"types\"", hexahedra.size(), binary);
+  for (std::size_t h = 0; h < hexahedra.size(); ++h)
     types.append(12, '\n');
   types.close();
   file.text() += "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";

@@ -18,8 +18,9 @@
 #include <system_error>
 
 namespace CGAL {
-namespace IO {
+namespace Hex_mesh_optimization {
 namespace internal {
+namespace IO {
 
 class Atomic_file
 {
@@ -31,30 +32,27 @@ public:
     namespace fs = std::filesystem;
     std::error_code ignored;
     // A link stays a link: what it points to is replaced.
-    for(int links = 0; links < 32 && fs::is_symlink(target_, ignored); ++links)
-    {
+    for (int links = 0; links < 32 && fs::is_symlink(target_, ignored); ++links) {
       const fs::path next = fs::read_symlink(target_, ignored);
       target_ = next.is_absolute() ? next : target_.parent_path() / next;
     }
-    if(fs::is_directory(target_, ignored))
-      throw Hex_mesh_file_error(filename_, 0, "cannot write the file: it is a directory");
+    if (fs::is_directory(target_, ignored))
+      throw CGAL::IO::Hex_mesh_file_error(filename_, 0, "cannot write the file: it is a directory");
     // A device or a pipe cannot be replaced: it is written to.
     const bool replaced = !fs::exists(target_, ignored) || fs::is_regular_file(target_, ignored);
     // Renaming would also replace a file that is write-protected.
-    if(fs::exists(target_, ignored) && replaced && !std::ofstream(target_, std::ios::app))
-      throw Hex_mesh_file_error(filename_, 0, "cannot open the file for writing");
-    if(replaced)
-    {
+    if (fs::exists(target_, ignored) && replaced && !std::ofstream(target_, std::ios::app))
+      throw CGAL::IO::Hex_mesh_file_error(filename_, 0, "cannot open the file for writing");
+    if (replaced) {
       static std::atomic<unsigned int> count(0);
       temporary_ = target_;
       temporary_ += "." + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count())
                     + "_" + std::to_string(count++) + ".tmp";
     }
     out_.open(replaced ? temporary_ : target_, std::ios::binary | std::ios::trunc);
-    if(!out_)
-    {
+    if (!out_) {
       temporary_.clear();
-      throw Hex_mesh_file_error(filename_, 0, "cannot open the file for writing");
+      throw CGAL::IO::Hex_mesh_file_error(filename_, 0, "cannot open the file for writing");
     }
   }
 
@@ -63,8 +61,7 @@ public:
 
   ~Atomic_file()
   {
-    if(!temporary_.empty())
-    {
+    if (!temporary_.empty()) {
       out_.close();
       std::error_code ignored;
       std::filesystem::remove(temporary_, ignored);
@@ -76,7 +73,7 @@ public:
 
   void write_if_large()
   {
-    if(text_.size() >= (std::size_t(1) << 20))
+    if (text_.size() >= (std::size_t(1) << 20))
       write();
   }
 
@@ -84,17 +81,17 @@ public:
   {
     write();
     out_.close();
-    if(!out_)
-      throw Hex_mesh_file_error(filename_, 0, "cannot write the file");
-    if(temporary_.empty())
+    if (!out_)
+      throw CGAL::IO::Hex_mesh_file_error(filename_, 0, "cannot write the file");
+    if (temporary_.empty())
       return;
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(target_, error);
-    if(!error && std::filesystem::exists(status))
+    if (!error && std::filesystem::exists(status))
       std::filesystem::permissions(temporary_, status.permissions(), error);
     std::filesystem::rename(temporary_, target_, error);
-    if(error)
-      throw Hex_mesh_file_error(filename_, 0, "cannot write the file: " + error.message());
+    if (error)
+      throw CGAL::IO::Hex_mesh_file_error(filename_, 0, "cannot write the file: " + error.message());
     temporary_.clear();
   }
 
@@ -103,8 +100,8 @@ private:
   {
     out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
     text_.clear();
-    if(!out_.flush())
-      throw Hex_mesh_file_error(filename_, 0, "cannot write the file");
+    if (!out_.flush())
+      throw CGAL::IO::Hex_mesh_file_error(filename_, 0, "cannot write the file");
   }
 
   std::string filename_;
@@ -114,6 +111,6 @@ private:
   std::string text_;
 };
 
-} } } // namespace CGAL::IO::internal
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ATOMIC_FILE_H

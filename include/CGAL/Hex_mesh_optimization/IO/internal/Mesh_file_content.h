@@ -19,8 +19,9 @@
 #include <vector>
 
 namespace CGAL {
-namespace IO {
+namespace Hex_mesh_optimization {
 namespace internal {
+namespace IO {
 
 enum class Wanted_cells { HEXAHEDRA, POLYGONS };
 
@@ -29,7 +30,7 @@ struct Mesh_file_content
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
   std::vector<std::vector<std::size_t>> polygons;
-  Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_attachments attachments;
 };
 
 template <class PointRange>
@@ -38,7 +39,7 @@ void copy_points(const std::vector<std::array<double, 3>>& from, PointRange& poi
   using Point = typename PointRange::value_type;
   points.clear();
   points.reserve(from.size());
-  for(const std::array<double, 3>& p : from)
+  for (const std::array<double, 3>& p : from)
     points.push_back(Point(p[0], p[1], p[2]));
 }
 
@@ -48,12 +49,11 @@ void copy_hex_mesh(const Mesh_file_content& content, PointRange& points, Hexahed
   copy_points(content.points, points);
   hexahedra.clear();
   hexahedra.reserve(content.hexahedra.size());
-  for(const std::array<std::size_t, 8>& h : content.hexahedra)
-  {
+  for (const std::array<std::size_t, 8>& h : content.hexahedra) {
     typename HexahedronRange::value_type hexahedron;
     CGAL::internal::resize(hexahedron, 8);
     using Index = std::decay_t<decltype(hexahedron[0])>;
-    for(std::size_t c = 0; c < 8; ++c)
+    for (std::size_t c = 0; c < 8; ++c)
       hexahedron[c] = static_cast<Index>(h[c]);
     hexahedra.push_back(std::move(hexahedron));
   }
@@ -65,6 +65,6 @@ std::array<double, 3> coordinates(const Point& p)
   return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
 }
 
-} } } // namespace CGAL::IO::internal
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H

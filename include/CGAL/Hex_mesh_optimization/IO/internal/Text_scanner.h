@@ -8,127 +8,19 @@
 // Independent of the locale.
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/number_as_text.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
-#include <type_traits>
 
 namespace CGAL {
-namespace IO {
+namespace Hex_mesh_optimization {
 namespace internal {
-
-inline std::string read_whole_file(const std::string& filename)
-{
-  std::ifstream in(filename, std::ios::binary);
-  std::error_code ignored;
-  if(!in || std::filesystem::is_directory(filename, ignored))
-    throw Hex_mesh_file_error(filename, 0, "cannot open the file for reading");
-  std::string content;
-  // A pipe has no size.
-  in.seekg(0, std::ios::end);
-  const std::streamoff size = in.tellg();
-  if(!in || size < 0)
-  {
-    in.clear();
-    content.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  }
-  else
-  {
-    in.seekg(0);
-    content.resize(static_cast<std::size_t>(size));
-    in.read(&content[0], size);
-    content.resize(static_cast<std::size_t>(in.gcount()));
-  }
-  if(in.bad())
-    throw Hex_mesh_file_error(filename, 0, "cannot read the file");
-  return content;
-}
-
-inline char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-
-inline std::string lowered(std::string_view text)
-{
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), lower);
-  return result;
-}
-
-// The extension of a file name without its dot, in lower case.
-inline std::string extension_of(const std::string& filename)
-{
-  const std::size_t dot = filename.find_last_of("./\\");
-  return dot == std::string::npos || filename[dot] != '.' ? std::string() : lowered(filename.substr(dot + 1));
-}
-
-// Reads a whole word as a double. An underflow reads as zero.
-inline bool parse_number(std::string_view word, double& value)
-{
-  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
-    word.remove_prefix(1);
-#if defined(__cpp_lib_to_chars)
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  if(result.ptr != word.data() + word.size())
-    return false;
-  if(result.ec == std::errc::result_out_of_range)
-  {
-    const std::size_t e = word.find_first_of("eE");
-    const bool small = e == std::string_view::npos ? word.find_first_of("123456789") > word.find('.')
-                                                   : e + 1 < word.size() && word[e + 1] == '-';
-    value = small ? 0. : std::numeric_limits<double>::infinity();
-    return true;
-  }
-  return result.ec == std::errc();
-#else
-  std::istringstream in{std::string(word)};
-  in.imbue(std::locale::classic());
-  in >> value;
-  return !in.fail() && in.peek() == std::istringstream::traits_type::eof();
-#endif
-}
-
-template <class Integer, std::enable_if_t<std::is_integral<Integer>::value, int> = 0>
-bool parse_number(std::string_view word, Integer& value)
-{
-  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
-    word.remove_prefix(1);
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  return result.ec == std::errc() && result.ptr == word.data() + word.size();
-}
-
-// Appends the shortest decimal number that reads back as the same double: at
-// most 17 significant digits.
-inline void append_number(std::string& text, double value)
-{
-#if defined(__cpp_lib_to_chars)
-  char buffer[32];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
-#else
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(17);
-  out << value;
-  text += out.str();
-#endif
-}
-
-template <class Integer, std::enable_if_t<std::is_integral<Integer>::value, int> = 0>
-void append_number(std::string& text, Integer value)
-{
-  char buffer[24];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
-}
+namespace IO {
 
 class Text_scanner
 {
@@ -151,22 +43,20 @@ public:
   [[noreturn]] void fail(const std::string& reason) const { fail(line(), reason); }
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const
   {
-    throw Hex_mesh_file_error(filename_, line, reason);
+    throw CGAL::IO::Hex_mesh_file_error(filename_, line, reason);
   }
 
   void skip_white_space()
   {
-    while(position_ < text_.size())
-    {
+    while (position_ < text_.size()) {
       const char c = text_[position_];
-      if(c == '\n')
+      if (c == '\n')
         ++line_;
-      else if(c == comment_ && comment_ != '\0')
-      {
+      else if (c == comment_ && comment_ != '\0') {
         position_ = (std::min)(text_.find('\n', position_), text_.size());
         continue;
       }
-      else if(!is_white(c))
+      else if (!is_white(c))
         return;
       ++position_;
     }
@@ -184,8 +74,8 @@ public:
   {
     skip_white_space();
     const std::size_t begin = position_;
-    while(position_ < text_.size() && !is_white(text_[position_]) && text_[position_] != '\n'
-          && (text_[position_] != comment_ || comment_ == '\0'))
+    while (position_ < text_.size() && !is_white(text_[position_]) && text_[position_] != '\n'
+           && (text_[position_] != comment_ || comment_ == '\0'))
       ++position_;
     return text_.substr(begin, position_ - begin);
   }
@@ -198,7 +88,7 @@ public:
     position_ = (std::min)(end + 1, text_.size());
     line_ += end < text_.size();
     std::string_view rest = text_.substr(begin, end - begin);
-    if(!rest.empty() && rest.back() == '\r')
+    if (!rest.empty() && rest.back() == '\r')
       rest.remove_suffix(1);
     return rest;
   }
@@ -210,11 +100,11 @@ public:
   {
     const std::string_view w = word();
     double value;
-    if(w.empty())
+    if (w.empty())
       fail(std::string(what) + " is expected, but the data end here");
-    if(!parse_number(w, value))
+    if (!parse_number(w, value))
       fail(std::string(what) + " is expected, not \"" + printable(w) + "\"");
-    if(!std::isfinite(value))
+    if (!std::isfinite(value))
       fail(std::string(what) + " is not a finite number: \"" + printable(w) + "\"");
     return value;
   }
@@ -223,9 +113,9 @@ public:
   {
     const std::string_view w = word();
     std::int64_t value;
-    if(w.empty())
+    if (w.empty())
       fail(std::string(what) + " is expected, but the data end here");
-    if(!parse_number(w, value))
+    if (!parse_number(w, value))
       fail(std::string(what) + " is expected, not \"" + printable(w) + "\"");
     return value;
   }
@@ -235,10 +125,10 @@ public:
   std::size_t count(const char* what, std::size_t bytes_each)
   {
     const std::int64_t value = integer(what);
-    if(value < 0)
+    if (value < 0)
       fail(std::string(what) + " is negative: " + std::to_string(value));
     // The last element needs no separator after it.
-    if(static_cast<std::uint64_t>(value) > (text_.size() - position_ + 1) / bytes_each)
+    if (static_cast<std::uint64_t>(value) > (text_.size() - position_ + 1) / bytes_each)
       fail(std::string(what) + " is " + std::to_string(value) + ", more than the rest of the file can hold");
     return static_cast<std::size_t>(value);
   }
@@ -247,7 +137,7 @@ public:
   static std::string printable(std::string_view word)
   {
     std::string result;
-    for(const char c : word.substr(0, 40))
+    for (const char c : word.substr(0, 40))
       result += c >= ' ' && c <= '~' ? c : '?';
     return word.size() > 40 ? result + "..." : result;
   }
@@ -263,6 +153,6 @@ private:
   bool names_lines_ = true;
 };
 
-} } } // namespace CGAL::IO::internal
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TEXT_SCANNER_H

@@ -1,25 +1,22 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTK_CELLS_H
-#define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTK_CELLS_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ADD_VTK_CELL_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ADD_VTK_CELL_H
 
-// What the legacy and the XML format of VTK share: cell types and binary numbers.
+// What the cell types of VTK mean, in its legacy and its XML format.
 
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <string>
-#include <vector>
 
 namespace CGAL {
-namespace IO {
+namespace Hex_mesh_optimization {
 namespace internal {
+namespace IO {
 
 // Sorts a cell of an unstructured grid into the content. Returns an empty
 // string, or what is wrong with the cell.
@@ -28,23 +25,20 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
 {
   const auto has_other_size_than = [&](std::size_t expected)
     { return "it has " + std::to_string(size) + " vertices, not " + std::to_string(expected); };
-  const auto add_polygon = [&](std::initializer_list<std::size_t> corners)
-  {
+  const auto add_polygon = [&](std::initializer_list<std::size_t> corners) {
     content.polygons.emplace_back();
-    for(const std::size_t c : corners)
+    for (const std::size_t c : corners)
       content.polygons.back().push_back(vertices[c]);
   };
 
-  if(wanted == Wanted_cells::HEXAHEDRA)
-  {
-    switch(type)
-    {
+  if (wanted == Wanted_cells::HEXAHEDRA) {
+    switch (type) {
     case 11: // a voxel: the corners of a box in lexicographic order
     case 12:
-      if(size != 8)
+      if (size != 8)
         return has_other_size_than(8);
       content.hexahedra.emplace_back();
-      for(std::size_t c = 0; c < 8; ++c)
+      for (std::size_t c = 0; c < 8; ++c)
         content.hexahedra.back()[c] = vertices[type == 11 && c % 4 > 1 ? 5 - c % 4 + (c & 4) : c];
       return std::string();
     // Cells of lower dimension, from the empty cell to the polygon on a Bezier surface.
@@ -64,25 +58,24 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
     }
   }
 
-  switch(type)
-  {
+  switch (type) {
   case 5:
-    if(size != 3)
+    if (size != 3)
       return has_other_size_than(3);
     add_polygon({0, 1, 2});
     return std::string();
   case 8:
-    if(size != 4)
+    if (size != 4)
       return has_other_size_than(4);
     add_polygon({0, 1, 3, 2});
     return std::string();
   case 9:
-    if(size != 4)
+    if (size != 4)
       return has_other_size_than(4);
     add_polygon({0, 1, 2, 3});
     return std::string();
   case 6:
-    for(std::size_t i = 2; i < size; ++i)
+    for (std::size_t i = 2; i < size; ++i)
       add_polygon({i - 2 + i % 2, i - 1 - i % 2, i});
     return std::string();
   case 7:
@@ -93,59 +86,6 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
   }
 }
 
-inline bool is_little_endian_machine()
-{
-  const std::uint16_t one = 1;
-  unsigned char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
-enum class Number_kind { SIGNED, UNSIGNED, FLOATING };
-
-// The type of the numbers of an array in a file; size 0: unknown.
-struct Number_type
-{
-  Number_kind kind = Number_kind::SIGNED;
-  std::size_t size = 0;
-};
-
-// Decodes one number from `from`; `reverse` if the bytes are in the other order.
-template <class Value>
-Value decode_number(const char* from, Number_type type, bool reverse)
-{
-  char bytes[8];
-  std::copy(from, from + type.size, bytes);
-  if(reverse)
-    std::reverse(bytes, bytes + type.size);
-  const auto as = [&](auto number)
-  {
-    std::memcpy(&number, bytes, sizeof(number));
-    return static_cast<Value>(number);
-  };
-  switch(type.kind)
-  {
-  case Number_kind::FLOATING:
-    return type.size == 4 ? as(float()) : as(double());
-  case Number_kind::SIGNED:
-    return type.size == 1 ? as(std::int8_t()) : type.size == 2 ? as(std::int16_t())
-         : type.size == 4 ? as(std::int32_t()) : as(std::int64_t());
-  default:
-    return type.size == 1 ? as(std::uint8_t()) : type.size == 2 ? as(std::uint16_t())
-         : type.size == 4 ? as(std::uint32_t()) : as(std::uint64_t());
-  }
-}
-
-template <class Number>
-void append_binary(std::string& text, Number number, bool little_endian)
-{
-  char bytes[sizeof(Number)];
-  std::memcpy(bytes, &number, sizeof(Number));
-  if(little_endian != is_little_endian_machine())
-    std::reverse(bytes, bytes + sizeof(Number));
-  text.append(bytes, sizeof(Number));
-}
-
-} } } // namespace CGAL::IO::internal
-
-#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTK_CELLS_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ADD_VTK_CELL_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_LOWERED_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_LOWERED_H
+
+// Words to be compared without regard to case.
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+namespace IO {
+
+inline char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
+
+inline std::string lowered(std::string_view text)
+{
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), lower);
+  return result;
+}
+
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_LOWERED_H
