@@ -467,20 +467,23 @@ Eigen::Matrix<double, 24, 24> random_matrix(std::mt19937& random)
   return A;
 }
 
-TEST(Block_matrix, takes_a_hexahedron_as_it_takes_its_blocks)
+TEST(Hexahedron_assembly, adds_a_hexahedron_as_the_matrix_adds_its_blocks)
 {
   std::mt19937 random(5);
   for (const Mesh_family& family : mesh_families()) {
     SCOPED_TRACE(family.name);
     const Hexahedral_complex complex = shuffled_complex(family(), random);
     const int n = static_cast<int>(complex.number_of_vertices());
-    Block_matrix whole(complex), one_by_one(complex);
+    Block_matrix whole(vertex_couplings(complex)), one_by_one(vertex_couplings(complex));
+    const Hexahedron_assembly assembly(complex, whole);
+    Positions gradient(n, Vector_3::Zero()), expected_gradient = gradient;
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * n, 3 * n);
     for (Block_matrix* matrix : {&whole, &one_by_one})
       matrix->set_zero();
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
       const Eigen::Matrix<double, 24, 24> A = random_matrix(random);
       Hexahedron_derivatives<double> derivatives;
+      derivatives.set_zero();
       for (int i = 0; i < 8; ++i)
         for (int j = i; j < 8; ++j) {
           const Matrix_3 B = A.block<3, 3>(3 * i, 3 * j);
@@ -498,8 +501,12 @@ TEST(Block_matrix, takes_a_hexahedron_as_it_takes_its_blocks)
           if (i != j)
             dense.block<3, 3>(3 * u, 3 * v) += B.transpose();
         }
-      whole.add(h, derivatives, 0);
+      for (int i = 0; i < 8; ++i)
+        for (int a = 0; a < 3; ++a)
+          expected_gradient[complex.hexahedra[h][i]][a] += derivatives.gradient[i][a] = uniform(random, -1, 1);
+      assembly.add(h, derivatives, 0, gradient, whole);
     }
+    EXPECT_EQ(gradient, expected_gradient);
     std::vector<char> is_fixed(n);
     for (int v = 0; v < n; ++v)
       is_fixed[v] = v % 7 == 3;
@@ -534,7 +541,7 @@ TEST(Block_matrix, solves_large_systems_the_same_whatever_the_number_of_threads)
   HMO::make_block(block.points, block.hexahedra, {{14, 13, 12}}, {{1, 1, 1}});
   const Hexahedral_complex complex = block.complex();
   const int n = static_cast<int>(complex.number_of_vertices());
-  Block_matrix matrix(complex);
+  Block_matrix matrix(vertex_couplings(complex));
   matrix.set_zero();
   for (const Hexahedron& h : complex.hexahedra)
     for (int k = 0; k < 12; ++k) {
@@ -869,7 +876,7 @@ TEST_P(Maximization, attachment_has_the_gradient_of_its_energy)
       s.scramble(random, .02, true);
     }
     Positions gradient(s.points.size(), Vector_3::Zero());
-    Block_matrix matrix(s.complex);
+    Block_matrix matrix(vertex_couplings(s.complex));
     matrix.set_zero();
     attachment.add_derivatives(s.points, gradient, matrix);
     double largest = 0;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Conflict_free_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_assembly.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
@@ -65,17 +66,6 @@ void edge_vectors(const Positions& points, const Hexahedron& h, Number (&vectors
     for (int a = 0; a < 3; ++a)
       vectors[k][a] = static_cast<Number>(e[a]);
   }
-}
-
-// Adds what one lane holds for a hexahedron.
-template <class Real>
-void add_derivatives(const std::vector<Hexahedron>& hexahedra, std::size_t hexahedron, const Hexahedron_derivatives<Real>& derivatives,
-                     int lane_of_hexahedron, Positions& gradient, Block_matrix& matrix)
-{
-  for (int i = 0; i < 8; ++i)
-    for (int a = 0; a < 3; ++a)
-      gradient[hexahedra[hexahedron][i]][a] += lane(derivatives.gradient[i][a], lane_of_hexahedron);
-  matrix.add(hexahedron, derivatives, lane_of_hexahedron);
 }
 
 class Hexahedron_batches
@@ -141,10 +131,11 @@ public:
   }
 
   // Adds the derivatives of a batch.
-  void add(std::size_t batch, const Hexahedron_derivatives<Lanes>& derivatives, Positions& gradient, Block_matrix& matrix) const
+  void add(std::size_t batch, const Hexahedron_derivatives<Lanes>& derivatives, const Hexahedron_assembly& assembly,
+           Positions& gradient, Block_matrix& matrix) const
   {
     for (int l = 0; l < number_of_hexahedra(batch); ++l)
-      add_derivatives(hexahedra_, first_hexahedron(batch) + l, derivatives, l, gradient, matrix);
+      assembly.add(first_hexahedron(batch) + l, derivatives, l, gradient, matrix);
   }
 
 private:

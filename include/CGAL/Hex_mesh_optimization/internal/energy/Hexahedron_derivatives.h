@@ -9,38 +9,13 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/vertex_couplings.h>
 
 #include <array>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
-
-// The blocks of a matrix over the vertices of a hexahedron: pairs of corners that share a face are coupled, opposite
-// corners of the hexahedron are not, as no corner has both among its neighbors.
-struct Hexahedron_couplings
-{
-  static constexpr int number = 24;
-  int first[number] = {}, second[number] = {}; // corners, first < second
-  int of[8][8] = {};                           // number of the pair; -1 if not coupled
-
-  constexpr Hexahedron_couplings()
-  {
-    constexpr int opposite[8] = {6, 7, 4, 5, 2, 3, 0, 1};
-    int n = 0;
-    for (int i = 0; i < 8; ++i)
-      for (int j = i; j < 8; ++j) {
-        of[i][j] = of[j][i] = -1;
-        if (j == i || j == opposite[i])
-          continue;
-        first[n] = i;
-        second[n] = j;
-        of[i][j] = of[j][i] = n++;
-      }
-  }
-};
-
-inline constexpr Hexahedron_couplings hexahedron_couplings;
 
 // The edges of a hexahedron, in the order of hexahedron_edges.
 template <class Real>
@@ -116,7 +91,7 @@ struct Corner_frame
 // The matrix of an energy of a corner in the edges e_i that leave it, of unit vectors n_i:
 //   H_ij = k_ij n_i n_jᵀ + y_i y_jᵀ + δ_ij d_i I,   all per length of the edges.
 template <class Real>
-struct Corner_model
+struct Corner_quadratic
 {
   Real gradient[3][3];
   Real k[3][3]; // for i ≤ j
@@ -131,7 +106,7 @@ struct Corner_model
   //   M_nn = −M_nc = 10/9 x + 4/9 z, M_cc = M_nn + 10/9 p, M_vc = −4/9 b, and 0 otherwise;
   // with x, z, p, b, growth ≥ 0 and p, b as of a mean ratio, H is positive semi-definite.
   // As n_i and v_i are parallel, the square of c is completed, and the rest is k.
-  Corner_model(const Corner_frame<Real>& corner, const Real& slope, const Real* r, const Real& x, const Real& z, const Real& p,
+  Corner_quadratic(const Corner_frame<Real>& corner, const Real& slope, const Real* r, const Real& x, const Real& z, const Real& p,
                const Real& b, const Real& growth, const Real& b1, const Real& m)
   {
     using Number = typename Lane<Real>::type;
@@ -156,7 +131,7 @@ struct Corner_model
   }
 };
 
-// Derivatives in the vertices of a hexahedron. Blocks are stored row by row, symmetric ones as xx, xy, xz, yy, yz, zz.
+// Derivatives in the vertices of a hexahedron, those of second order in the couplings of it. Blocks are stored row by row, symmetric ones as xx, xy, xz, yy, yz, zz.
 template <class Real>
 struct Hexahedron_derivatives
 {
@@ -166,7 +141,7 @@ struct Hexahedron_derivatives
 
   void set_zero() { *this = {}; }
 
-  void add(int corner, const Hexahedron_frame<Real>& frame, const Corner_frame<Real>& c, const Corner_model<Real>& model)
+  void add(int corner, const Hexahedron_frame<Real>& frame, const Corner_frame<Real>& c, const Corner_quadratic<Real>& model)
   {
     Real u[3][3], y[3][3], row[3][9], d[3]; // row: of the vertex of an edge, summed over the edges
     for (int i = 0; i < 3; ++i) {

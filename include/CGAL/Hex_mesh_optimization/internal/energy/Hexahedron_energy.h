@@ -95,7 +95,7 @@ public:
         squares += r[k] = ratios.square[corner_edges[i][k] / 2];
       const Real factor = Number(3) * m / squares; // of ⅓ Σ |e_i|²/l_i²
       const Real slope = excess * (shape + poor_shape * excess), growth = shape + Number(2) * poor_shape * excess;
-      d.add(i, frame, corner, Corner_model<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
+      d.add(i, frame, corner, Corner_quadratic<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
     }
   }
 

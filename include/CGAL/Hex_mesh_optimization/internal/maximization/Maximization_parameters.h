@@ -8,6 +8,8 @@
 // value. Distances are in units of the local edge length unless something else is
 // said; "measured" refers to organic and CAD models of 2,500 to 38,000 hexahedra.
 
+#include <CGAL/Hex_mesh_optimization/internal/solver/Newton_parameters.h>
+
 #include <cstddef>
 #include <limits>
 
@@ -129,11 +131,7 @@ struct Maximization_parameters
   double largest_strain = 1e4;
 
   // --- Newton's method ---
-  double solver_tolerance = .05; // of the conjugate gradients: the Hessian is a model
-  // More gain nothing, even on large meshes: what is left is smooth, and the next step sees it again.
-  int solver_iterations = 16;
-  double armijo = 1e-4;
-  int line_search_steps = 12;
+  Newton_parameters newton;
   // No corner may drop below this part of its own or the held scaled Jacobian, the lower of the two, in one step; the
   // vertices of those that would are held back to half the step, again and again, up to so often. The line search sees
   // sums only, and lets single corners collapse.

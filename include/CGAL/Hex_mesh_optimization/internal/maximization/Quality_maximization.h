@@ -45,7 +45,8 @@ public:
     , parameters_(parameters)
     , attachment_(attachment)
     , relations_(relations)
-    , matrix_(complex)
+    , matrix_(vertex_couplings(complex))
+    , assembly_(complex, matrix_)
     , energy_(parameters)
     , hexahedra_(complex)
     , floor_(hexahedra_, parameters)
@@ -92,7 +93,7 @@ public:
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
                                         [&](Positions& d) { hold_back(complex_, hexahedra_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, d); },
-                                        is_fixed_, parameters_, matrix_, points);
+                                        is_fixed_, parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       const double excess = (std::max)(0.0, attachment_.largest_distance(points) - parameters_.maximum_deviation);
       best.offer(points, quality, attachment_.tightness, excess, parameters_.accepted_loss);
@@ -228,7 +229,7 @@ private:
     hexahedra_.for_each_without_conflict([&](std::size_t i) {
       Hexahedron_derivatives<Lanes> d;
       energy_.derivatives(hexahedra_.frame(i, points), inverse_targets_.batch(i), floor_.floors().batch(i), d);
-      hexahedra_.add(i, d, gradient, matrix);
+      hexahedra_.add(i, d, assembly_, gradient, matrix);
     });
     attachment_.add_derivatives(points, gradient, matrix);
   }
@@ -238,6 +239,7 @@ private:
   Surface_attachment& attachment_;
   const Edge_relations* relations_;
   Block_matrix matrix_;
+  const Hexahedron_assembly assembly_;
   Hexahedron_energy energy_;
   const Hexahedron_batches hexahedra_;
   Quality_floor floor_;

@@ -10,6 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/conjugate_gradients.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,53 +38,48 @@ inline double mean_boundary_edge_length(const Hexahedral_complex& complex, const
   return sum / complex.boundary_edges.size();
 }
 
-// Minimizes eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel and consecutive
-// edges. The system is diagonally dominant, so conjugate gradients need a number of steps that does not depend on the
-// mesh; each is linear in the number of edge pairs.
-inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted)
+// The system of eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel and consecutive edges.
+class Length_system
 {
-  const std::size_t n = wanted.size();
-  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
-  const std::vector<double>& right = wanted;
-  std::vector<double> diagonal(n), lengths(n, mean);
-  for (std::size_t e = 0; e < n; ++e)
-    diagonal[e] = 1 + 2 * (relations.parallel_degree[e] + relations.consecutive_degree[e]);
-  // each pair stands twice in the sums of eq. 22, once for either edge
-  const auto apply = [&](const std::vector<double>& x, std::vector<double>& y) {
-    for (std::size_t e = 0; e < n; ++e)
-      y[e] = diagonal[e] * x[e];
-    for (const std::vector<Edge_pair>* pairs : {&relations.parallel, &relations.consecutive})
+public:
+  explicit Length_system(const Edge_relations& relations)
+    : relations_(relations)
+    , diagonal_(relations.parallel_degree.size())
+  {
+    for (std::size_t e = 0; e < diagonal_.size(); ++e)
+      diagonal_[e] = 1 + 2 * (relations.parallel_degree[e] + relations.consecutive_degree[e]);
+  }
+
+  void multiply(const std::vector<double>& x, std::vector<double>& y) const
+  {
+    for (std::size_t e = 0; e < diagonal_.size(); ++e)
+      y[e] = diagonal_[e] * x[e];
+    // each pair stands twice in the sums of eq. 22, once for either edge
+    for (const std::vector<Edge_pair>* pairs : {&relations_.parallel, &relations_.consecutive})
       for (const Edge_pair& p : *pairs) {
         y[p.first / 2] -= 2 * x[p.second / 2];
         y[p.second / 2] -= 2 * x[p.first / 2];
       }
-  };
-  std::vector<double> r(n), z(n), d(n), Ad(n);
-  apply(lengths, r);
-  double rz = 0;
-  for (std::size_t e = 0; e < n; ++e) {
-    r[e] = right[e] - r[e];
-    d[e] = z[e] = r[e] / diagonal[e];
-    rz += r[e] * z[e];
   }
-  const double stop = 1e-12 * mean * mean * n;
-  for (int iteration = 0; iteration < 500 && rz > stop; ++iteration) {
-    apply(d, Ad);
-    double dAd = 0;
-    for (std::size_t e = 0; e < n; ++e)
-      dAd += d[e] * Ad[e];
-    const double step = rz / dAd;
-    double next = 0;
-    for (std::size_t e = 0; e < n; ++e) {
-      lengths[e] += step * d[e];
-      r[e] -= step * Ad[e];
-      z[e] = r[e] / diagonal[e];
-      next += r[e] * z[e];
-    }
-    for (std::size_t e = 0; e < n; ++e)
-      d[e] = z[e] + next / rz * d[e];
-    rz = next;
-  }
+
+  double precondition(std::size_t e, double r) const { return r / diagonal_[e]; }
+  static bool is_fixed(std::size_t) { return false; }
+
+private:
+  const Edge_relations& relations_;
+  std::vector<double> diagonal_;
+};
+
+// Minimizes eq. 22. The system is diagonally dominant, so conjugate gradients need a number of steps that does not depend
+// on the mesh; each is linear in the number of edge pairs.
+inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted)
+{
+  const double tolerance = 1e-6; // of the mean length
+  const int most_iterations = 500; // some tens are needed
+  const std::size_t n = wanted.size();
+  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
+  std::vector<double> lengths(n, mean);
+  conjugate_gradients(Length_system(relations), wanted, {tolerance * tolerance * mean * mean * n, most_iterations, n}, lengths);
   return lengths;
 }
 

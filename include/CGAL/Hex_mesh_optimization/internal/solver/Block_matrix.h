@@ -4,24 +4,22 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
 
-// A symmetric sparse matrix of 3×3 blocks, one row of blocks a vertex, and the
+// A symmetric sparse matrix of 3×3 blocks, one row of blocks a point, and the
 // conjugate gradients that solve with it.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Conflict_free_ranges.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,44 +29,34 @@ namespace internal {
 class Block_matrix
 {
 public:
-  // Couples the vertices of each hexahedron, but for the ends of its four diagonals.
-  explicit Block_matrix(const Hexahedral_complex& complex)
-    : diagonal(complex.number_of_vertices())
-    , offsets_(complex.number_of_vertices() + 1, 0)
-    , hexahedra_(complex.hexahedra)
-    , hexahedron_slots_(complex.hexahedra.size())
+  // Where the block of two coupled rows is stored: as it is, or transposed.
+  struct Slot
   {
-    std::vector<int> neighbors;
-    const auto neighbors_of = [&](std::size_t v) -> std::vector<int>& {
-      neighbors.clear();
-      for (int h : complex.vertex_hexahedra[v]) {
-        const Hexahedron& corners = complex.hexahedra[h];
-        const std::size_t i = std::find(corners.begin(), corners.end(), static_cast<int>(v)) - corners.begin();
-        for (int j = 0; j < 8; ++j)
-          if (hexahedron_couplings.of[i][j] >= 0)
-            neighbors.push_back(corners[j]);
-      }
-      std::sort(neighbors.begin(), neighbors.end());
-      neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-      return neighbors;
-    };
+    std::uint32_t number : 31, is_transposed : 1;
+  };
+
+  // couplings: for each row the others that it has a block with, in any order and as often as you like; a row has one with
+  // every row that has one with it.
+  explicit Block_matrix(const Grouped_array& couplings)
+    : diagonal(couplings.size())
+    , offsets_(couplings.size() + 1, 0)
+  {
+    std::vector<int> row;
     ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range, [&](std::size_t v) -> const std::vector<int>& {
-      neighbors_of(v).push_back(static_cast<int>(v));
-      return neighbors;
+      row.assign(couplings[v].begin(), couplings[v].end());
+      row.push_back(static_cast<int>(v));
+      return row;
     });
     for (std::size_t v = 0; v < size(); ++v) {
-      for (int u : neighbors_of(v))
+      row.clear();
+      for (int u : couplings[v])
         if (is_before(static_cast<int>(v), u))
-          columns_.push_back(u);
+          row.push_back(u);
+      std::sort(row.begin(), row.end());
+      columns_.insert(columns_.end(), row.begin(), std::unique(row.begin(), row.end()));
       offsets_[v + 1] = columns_.size();
     }
     entries_.resize(entries_of_block * columns_.size() + 1); // as the last row is read with one entry more
-    for (std::size_t h = 0; h < hexahedra_.size(); ++h)
-      for (int k = 0; k < Hexahedron_couplings::number; ++k) {
-        const int i = hexahedra_[h][hexahedron_couplings.first[k]], j = hexahedra_[h][hexahedron_couplings.second[k]];
-        const bool is_transposed = is_before(j, i);
-        hexahedron_slots_[h][k] = {static_cast<std::uint32_t>(is_transposed ? slot(j, i) : slot(i, j)), is_transposed};
-      }
   }
 
   std::size_t size() const { return diagonal.size(); }
@@ -81,47 +69,34 @@ public:
     });
   }
 
-  // Adds B at (i, j) and, i ≠ j, its transpose at (j, i). Both vertices must belong to one face.
-  void add(int i, int j, const Matrix_3& B)
+  // Of two different rows that are coupled. O(log row).
+  Slot slot(int i, int j) const
   {
-    if (i == j) {
-      diagonal[i] += B;
-      return;
-    }
     const bool is_transposed = is_before(j, i);
-    float* block = entries_.data() + entries_of_block * (is_transposed ? slot(j, i) : slot(i, j));
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c)
-        block[3 * r + c] += static_cast<float>(is_transposed ? B(c, r) : B(r, c));
+    if (is_transposed)
+      std::swap(i, j);
+    const auto column = std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j);
+    return {static_cast<std::uint32_t>(column - columns_.begin()), is_transposed};
   }
 
-  // Adds what one lane holds for a hexahedron.
-  template <class Real>
-  void add(std::size_t hexahedron, const Hexahedron_derivatives<Real>& derivatives, int lane_of_hexahedron)
+  // Adds the block of entries entry(r, c), and its transpose at the other side of the diagonal.
+  template <class Entry>
+  void add(const Slot& slot, const Entry& entry)
   {
-    const Hexahedron& h = hexahedra_[hexahedron];
-    const auto entry = [lane_of_hexahedron](const Real& x) { return lane(x, lane_of_hexahedron); };
-    for (int i = 0; i < 8; ++i) {
-      const Real* d = derivatives.diagonal[i];
-      Matrix_3& D = diagonal[h[i]];
-      int n = 0;
-      for (int a = 0; a < 3; ++a)
-        for (int b = a; b < 3; ++b, ++n) {
-          const auto value = entry(d[n]);
-          D(a, b) += value;
-          if (a != b)
-            D(b, a) += value;
-        }
-    }
-    for (int k = 0; k < Hexahedron_couplings::number; ++k) {
-      const Real* b = derivatives.coupling[k];
-      const Slot slot = hexahedron_slots_[hexahedron][k];
-      float* B = entries_.data() + entries_of_block * slot.number;
-      const int right = slot.is_transposed ? 3 : 1, down = slot.is_transposed ? 1 : 3;
-      for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-          B[down * r + right * c] += static_cast<float>(entry(b[3 * r + c]));
-    }
+    float* block = entries_.data() + entries_of_block * slot.number;
+    const int right = slot.is_transposed ? 3 : 1, down = slot.is_transposed ? 1 : 3;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        block[down * r + right * c] += static_cast<float>(entry(r, c));
+  }
+
+  // Adds B at (i, j) and, i ≠ j, its transpose at (j, i). Different rows must be coupled.
+  void add(int i, int j, const Matrix_3& B)
+  {
+    if (i == j)
+      diagonal[i] += B;
+    else
+      add(slot(i, j), [&](int r, int c) { return B(r, c); });
   }
 
   // Approximates A x = b from x = 0, in the rows that are not fixed, until the residual has dropped by `tolerance`, in
@@ -218,11 +193,6 @@ private:
     Vector operator*(const Vector& x) const { return columns[0] * x[0] + columns[1] * x[1] + columns[2] * x[2]; }
   };
 
-  std::size_t slot(int i, int j) const
-  {
-    return std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j) - columns_.begin();
-  }
-
   // The order of the sweeps.
   bool is_before(int i, int j) const
   {
@@ -263,17 +233,10 @@ private:
     });
   }
 
-  struct Slot
-  {
-    std::uint32_t number : 31, is_transposed : 1;
-  };
-
   std::vector<std::size_t> offsets_; // of the blocks of each row
   std::vector<int> columns_;         // rows that come later than their own
   std::vector<float> entries_;       // of the blocks, row by row
   std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
-  const std::vector<Hexahedron>& hexahedra_;
-  std::vector<std::array<Slot, Hexahedron_couplings::number>> hexahedron_slots_; // of each coupling
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

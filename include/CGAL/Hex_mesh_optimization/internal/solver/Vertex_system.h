@@ -10,6 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/conjugate_gradients.h>
 
 #include <Eigen/LU>
 
@@ -82,48 +83,12 @@ public:
       inverse[v] = is_fixed[v] || diagonal[v] <= 0 ? Matrix_3(Matrix_3::Zero())
                                                    : Matrix_3((blocks[v] + diagonal[v] * Matrix_3::Identity()).inverse());
     });
-    Positions r(n), z(n), d(n), Ad(n);
-    multiply(x, r);
-    double rz = 0, scale = 0;
-    for (std::size_t v = 0; v < n; ++v) {
-      r[v] = is_fixed[v] ? Vector_3(Vector_3::Zero()) : Vector_3(right[v] - r[v]);
-      z[v] = inverse[v] * r[v];
-      d[v] = z[v];
-      rz += r[v].dot(z[v]);
+    double scale = 0;
+    for (std::size_t v = 0; v < n; ++v)
       // positions are of the order of the number of edges across; what must be
       // resolved is a fraction of one edge, whose length is the unit
       scale += is_fixed[v] ? 0 : diagonal[v];
-    }
-    int iteration = 0;
-    for (; iteration < maximum_iterations && rz > tolerance * tolerance * scale; ++iteration) {
-      multiply(d, Ad);
-      const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t v = begin; v < end; ++v)
-          if (!is_fixed[v])
-            sum += d[v].dot(Ad[v]);
-        return sum;
-      });
-      if (!(dAd > 0))
-        break;
-      const double step = rz / dAd;
-      const double next = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t v = begin; v < end; ++v) {
-          if (is_fixed[v])
-            continue;
-          x[v] += step * d[v];
-          r[v] -= step * Ad[v];
-          z[v] = inverse[v] * r[v];
-          sum += r[v].dot(z[v]);
-        }
-        return sum;
-      });
-      const double ratio = next / rz;
-      for_each(n, [&](std::size_t v) { d[v] = z[v] + ratio * d[v]; });
-      rz = next;
-    }
-    return iteration;
+    return conjugate_gradients(Preconditioned{*this, inverse}, right, {tolerance * tolerance * scale, maximum_iterations}, x);
   }
 
   // xᵀAx − 2bᵀx
@@ -140,6 +105,16 @@ public:
   }
 
 private:
+  struct Preconditioned
+  {
+    const Vertex_system& system;
+    const std::vector<Matrix_3>& inverse; // of the diagonal blocks; 0 in fixed rows
+
+    void multiply(const Positions& x, Positions& y) const { system.multiply(x, y); }
+    Vector_3 precondition(std::size_t v, const Vector_3& r) const { return inverse[v] * r; }
+    bool is_fixed(std::size_t v) const { return system.is_fixed[v]; }
+  };
+
   void multiply(const Positions& x, Positions& y) const
   {
     for_each(size(), [&](std::size_t v) {

@@ -7,7 +7,7 @@
 // One step of Newton's method with line search on an energy of all vertices.
 
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Newton_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 
@@ -23,13 +23,13 @@ namespace internal {
 // the points that are not fixed and returns the energy reached.
 template <class Value, class Assemble, class Restrict>
 double newton_step(const Value& value, const Assemble& assemble, const Restrict& restrict_step,
-                   const std::vector<char>& is_fixed, const Maximization_parameters& parameters, Block_matrix& matrix, Positions& points)
+                   const std::vector<char>& is_fixed, const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
   assemble(points, gradient, matrix);
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
-  matrix.solve(gradient, is_fixed, parameters.solver_tolerance, parameters.solver_iterations, direction);
+  matrix.solve(gradient, is_fixed, parameters.tolerance, parameters.iterations, direction);
   restrict_step(direction);
   const double slope = -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
     double sum = 0;

@@ -54,10 +54,10 @@ struct Regularized_mean_ratio
   double value() const { return squares / 3 / std::cbrt(chi * chi); }
 
   // As that of the mean ratio, with χ in the place of the determinant.
-  Corner_model<double> model(const Corner_frame<double>& corner) const
+  Corner_quadratic<double> model(const Corner_frame<double>& corner) const
   {
     const double m = value();
-    return Corner_model<double>(corner, chi_slope * volume / chi, r, 0, 0, m, 3 * m / squares, 0, 0, 0);
+    return Corner_quadratic<double>(corner, chi_slope * volume / chi, r, 0, 0, m, 3 * m / squares, 0, 0, 0);
   }
 };
 
@@ -70,7 +70,8 @@ public:
     : complex_(complex)
     , parameters_(parameters)
     , attachment_(attachment)
-    , matrix_(complex)
+    , matrix_(vertex_couplings(complex))
+    , assembly_(complex, matrix_)
     , lengths_(lengths)
     , is_fixed_(is_fixed)
   {}
@@ -97,7 +98,7 @@ public:
       const double energy = newton_step([this](const Positions& p) { return value(p); },
                                         [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
                                         [](Positions&) {},
-                                        is_passive_, parameters_, matrix_, points);
+                                        is_passive_, parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       ++since;
       if (quality.inverted < fewest || (quality.inverted == 0 && quality.minimum > minimum)) {
@@ -187,7 +188,7 @@ private:
         const Corner_frame<double> corner(frame, c);
         d.add(c, frame, corner, Regularized_mean_ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_).model(corner));
       }
-      add_derivatives(complex_.hexahedra, h, d, 0, gradient, matrix);
+      assembly_.add(h, d, 0, gradient, matrix);
     });
     attachment_.add_derivatives(points, gradient, matrix);
   }
@@ -196,6 +197,7 @@ private:
   const Maximization_parameters parameters_;
   Surface_attachment& attachment_;
   Block_matrix matrix_;
+  const Hexahedron_assembly assembly_;
   const std::vector<double> lengths_; // targets of the edges
   const std::vector<char> is_fixed_;
   std::vector<int> active_;      // hexahedra

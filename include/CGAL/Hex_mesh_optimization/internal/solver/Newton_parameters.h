@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_PARAMETERS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_PARAMETERS_H
+
+// The numbers of a step of Newton's method.
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+struct Newton_parameters
+{
+  double tolerance = .05; // of the conjugate gradients: the Hessian is a model
+  // More gain nothing, even on large meshes: what is left is smooth, and the next step sees it again.
+  int iterations = 16;
+  // Part of the decrease that the slope promises (Armijo), and how often the step is halved to reach it.
+  double armijo = 1e-4;
+  int line_search_steps = 12;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_PARAMETERS_H
