@@ -6,7 +6,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "hexahedron_rotations.h"
@@ -41,8 +41,7 @@ Boundary_attachment own_attachment(const Indexed_mesh& mesh, double angle_bound 
   Positions points;
   for (const auto& p : mesh.points)
     points.emplace_back(p.x(), p.y(), p.z());
-  const auto surface = boundary_as_reference(complex, points);
-  trace_feature_curves(*surface, sharp_boundary_edges(complex, points, angle_bound), false, Feature_parameters());
+  const auto surface = boundary_as_reference(complex, points, Feature_parameters{angle_bound});
   return attach_to_own_boundary(complex, *surface);
 }
 

@@ -5,9 +5,10 @@
 // are attached to them.
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
-#include <CGAL/Hex_mesh_optimization/internal/engine/Hex_mesh_optimizer.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
@@ -58,9 +59,7 @@ struct Mesh
 
   std::unique_ptr<Reference_surface> own_reference(double angle_bound = 45) const
   {
-    auto surface = boundary_as_reference(complex, points);
-    trace_feature_curves(*surface, sharp_boundary_edges(complex, points, angle_bound), false, Feature_parameters());
-    return surface;
+    return boundary_as_reference(complex, points, Feature_parameters{angle_bound});
   }
 };
 
@@ -533,9 +532,7 @@ struct Reference
 
   std::unique_ptr<Reference_surface> traced() const
   {
-    auto surface = std::make_unique<Reference_surface>(points, triangles);
-    trace_feature_curves(*surface, sharp_edges(points, triangles, 45), false, Feature_parameters());
-    return surface;
+    return std::make_unique<Reference_surface>(points, triangles, sharp_edges(points, triangles, 45), false, Feature_parameters());
   }
 };
 

@@ -93,11 +93,11 @@ Eigen::MatrixXd hessian(const Energy& energy, std::size_t number_of_points)
 
 // --- The sparse system itself ---------------------------------------------------
 
-std::vector<Surface_point> feet_on(const Reference_surface& surface, const Positions& points)
+std::vector<Foot_point> feet_on(const Reference_surface& surface, const Positions& points)
 {
-  std::vector<Surface_point> feet;
+  std::vector<Foot_point> feet;
   for (const Vector_3& p : points)
-    feet.push_back(surface.closest_point(p));
+    feet.push_back(surface.foot_point(p));
   return feet;
 }
 
@@ -229,8 +229,7 @@ struct Setting
     , cones(complex)
   {
     std::mt19937 random(seed);
-    surface = boundary_as_reference(complex, regular);
-    trace_feature_curves(*surface, sharp_boundary_edges(complex, regular, 60), false, Feature_parameters());
+    surface = boundary_as_reference(complex, regular, Feature_parameters{60});
     attachment = std::make_unique<Boundary_attachment>(attach_to_own_boundary(complex, *surface));
     tangled = moved(regular, random, .4);
     cones.update_normals(tangled);
@@ -328,7 +327,7 @@ struct Setting
       Vector_3 place = x[v];
       switch (attachment->kind[v]) {
       case Vertex_kind::SURFACE: {
-        const Surface_point q = surface->closest_point(tangled[v]);
+        const Foot_point q = surface->foot_point(tangled[v]);
         place = q.point;
         sum += beta * std::pow(q.normal.dot(x[v]) - q.normal.dot(q.point), 2);
         break;

@@ -4,6 +4,7 @@
 // Unusable input is refused by name before anything moves; unusual input is handled.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "mesh_families.h"
 

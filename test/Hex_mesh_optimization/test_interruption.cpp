@@ -5,6 +5,8 @@
 // that it has shown. What is at once is counted in calls of the visitor, not measured.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+#include <CGAL/Hex_mesh_optimization/validity.h>
 
 #include "mesh_families.h"
 

@@ -7,6 +7,7 @@
 // The environment variable NEVER_WORSE_CASES says how many inputs are generated for each shape and damage.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "Marked_vertices.h"
 #include "mesh_checks.h"

@@ -4,6 +4,7 @@
 // What optimize_hex_mesh() guarantees, over generated meshes of all families.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "Marked_vertices.h"
 #include "mesh_families.h"

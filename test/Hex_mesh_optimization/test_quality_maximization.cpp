@@ -16,7 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/maximization/hold_back.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
 #include "Corner.h"
@@ -847,9 +847,7 @@ private:
 
   static std::unique_ptr<Reference_surface> own_reference(const Hexahedral_complex& complex, const Positions& points)
   {
-    auto surface = boundary_as_reference(complex, points);
-    trace_feature_curves(*surface, sharp_boundary_edges(complex, points, 45), false, Feature_parameters());
-    return surface;
+    return boundary_as_reference(complex, points, Feature_parameters());
   }
 };
 

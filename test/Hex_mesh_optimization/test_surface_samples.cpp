@@ -5,7 +5,7 @@
 // mesh on one of any other size. And the triangles nearby, which must be found as by a search of all.
 
 #include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include "mesh_families.h"
@@ -145,7 +145,7 @@ TEST(Nearby_triangles, are_the_closest_while_they_are_said_to_be)
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto point = [&](double size) { return Vector_3(size * uniform(random), size * uniform(random), size * uniform(random)); };
   const Surface cube(1);
-  const Reference_surface surface(cube.points, cube.triangles);
+  const Triangle_surface surface(cube.points, cube.triangles);
   const std::size_t n = 200;
   Nearby_triangles nearby;
   nearby.reset(n);
@@ -181,7 +181,7 @@ TEST(Nearby_triangles, are_the_closest_while_they_are_said_to_be)
 TEST(Nearby_triangles, give_way_to_a_tree_in_a_crowd)
 {
   const Surface cube(1);
-  const Reference_surface surface(cube.points, cube.triangles);
+  const Triangle_surface surface(cube.points, cube.triangles);
   Nearby_triangles nearby;
   nearby.reset(1);
   const Vector_3 center = Vector_3::Constant(1.5);
@@ -189,10 +189,10 @@ TEST(Nearby_triangles, give_way_to_a_tree_in_a_crowd)
   EXPECT_FALSE(nearby.closest(0, center, cube.points, cube.triangles, 0));
 }
 
-TEST(Reference_surface, has_no_closer_point_than_the_closest)
+TEST(Triangle_surface, has_no_closer_point_than_the_closest)
 {
   const Surface cube(1);
-  const Reference_surface surface(cube.points, cube.triangles);
+  const Triangle_surface surface(cube.points, cube.triangles);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 4);
   for (int trial = 0; trial < 200; ++trial) {

@@ -8,6 +8,7 @@
 // by indices, sewing by the identity of the vertices and never by position.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Disjoint_sets.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
@@ -33,33 +34,6 @@ struct Face_match
   std::size_t first;
   std::size_t second;
   int turn;
-};
-
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(std::size_t size) : parent_(size)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-  }
-
-  std::size_t find(std::size_t i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void unite(std::size_t i, std::size_t j)
-  {
-    i = find(i);
-    j = find(j);
-    if(i != j)
-      parent_[(std::max)(i, j)] = (std::min)(i, j);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
 };
 
 // The error of the hexahedron that comes first in the input, whatever order

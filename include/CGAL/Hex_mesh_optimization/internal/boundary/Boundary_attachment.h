@@ -8,13 +8,19 @@
 // feature curve or the smooth surface (the sets C, F, S of eq. 21).
 
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -73,7 +79,7 @@ inline Vector_3 face_area_vector(const Hexahedral_complex& complex, const Positi
 // The edges of the boundary whose two faces deviate from flat by more than the bound.
 inline Edge_list sharp_boundary_edges(const Hexahedral_complex& complex, const Positions& points, double angle_bound)
 {
-  const double bound = std::cos(angle_bound * 3.14159265358979323846 / 180);
+  const double bound = std::cos(angle_bound * CGAL_PI / 180);
   Edge_list sharp;
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges) {
     const Vector_3 left = face_area_vector(complex, points, e.left), right = face_area_vector(complex, points, e.right);
@@ -83,11 +89,10 @@ inline Edge_list sharp_boundary_edges(const Hexahedral_complex& complex, const P
   return sharp;
 }
 
-// The boundary of the mesh as a reference of its own. Its vertices keep the
+// The boundary of the mesh in triangles: 2f and 2f + 1 for face f. Its vertices keep the
 // indices of the mesh; a quad is split from its first corner in the order of
 // hexahedron_faces, the split most readers of boundary quads apply.
-inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex, const Positions& points,
-                                                                bool is_temporary = false)
+inline std::vector<Triangle_indices> boundary_triangles(const Hexahedral_complex& complex)
 {
   std::vector<Triangle_indices> triangles;
   triangles.reserve(2 * complex.boundary_faces.size());
@@ -95,7 +100,15 @@ inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral
     triangles.push_back({f.vertices[0], f.vertices[1], f.vertices[2]});
     triangles.push_back({f.vertices[0], f.vertices[2], f.vertices[3]});
   }
-  return std::make_unique<Reference_surface>(points, std::move(triangles), is_temporary);
+  return triangles;
+}
+
+// The boundary of the mesh as a reference of its own.
+inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex, const Positions& points,
+                                                                const Feature_parameters& features)
+{
+  return std::make_unique<Reference_surface>(points, boundary_triangles(complex),
+                                             sharp_boundary_edges(complex, points, features.angle_bound), false, features);
 }
 
 // Attachment when the reference is the boundary itself: by identity.

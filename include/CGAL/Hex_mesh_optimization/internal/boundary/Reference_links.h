@@ -10,7 +10,9 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Smooth_normals.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
@@ -43,7 +45,7 @@ public:
     Vector_3 direction; // unit vector between the two, or a normal where they coincide
   };
 
-  Reference_pull(const Hexahedral_complex& complex, const Reference_surface& surface, double spacing)
+  Reference_pull(const Hexahedral_complex& complex, const Triangle_surface& surface, double spacing)
     : complex_(complex)
     , samples_(spread_samples(surface.points, surface.triangles, complex.boundary_faces.size(), spacing))
   {
@@ -68,7 +70,7 @@ public:
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
     if (is_first || !is_known(points)) {
-      known_ = boundary_as_reference(complex_, points, !is_first);
+      known_ = std::make_unique<Triangle_surface>(points, boundary_triangles(complex_));
       nearby_.reset(samples_.size());
       fast_ = nullptr;
       if (known_->is_empty()) {
@@ -76,10 +78,11 @@ public:
         return links_;
       }
     }
+    const std::unique_ptr<const Smooth_normals> normals = is_first ? std::make_unique<const Smooth_normals>(*known_) : nullptr;
     for_each(samples_.size(), [&](std::size_t i) {
       links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
       if (links_[i].is_new)
-        find_link(i, points, is_first);
+        find_link(i, points, normals.get());
     }, 256);
     return links_;
   }
@@ -95,18 +98,19 @@ private:
     return false;
   }
 
-  void find_link(std::size_t i, const Positions& points, bool is_first)
+  // normals: of the boundary at the first time, when many samples may lie on it; null later
+  void find_link(std::size_t i, const Positions& points, const Smooth_normals* normals)
   {
     const Vector_3& sample = samples_[i].point;
-    const Surface_point foot = is_first ? known_->closest_point(sample) : closest(i, points);
+    const Surface_point foot = normals ? known_->closest_point(sample) : closest(i, points);
     const Triangle_indices& t = known_->triangles[foot.triangle];
     const double distance = (foot.point - sample).norm();
     Link& link = links_[i];
     link = {t, foot.coordinates, sample, samples_[i].area, distance, foot.triangle, true, Vector_3::Zero()};
     if (distance > coincidence)
       link.direction = (foot.point - sample) / distance;
-    else if (is_first)
-      link.direction = known_->normal(foot.triangle, foot.coordinates);
+    else if (normals)
+      link.direction = normals->at(foot.triangle, foot.coordinates);
     else
       link.direction = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
     for (int k = 0; k < 3; ++k)
@@ -131,7 +135,7 @@ private:
     }
     if (4 * triangles.size() > known_->triangles.size()) // to search them each time takes longer than new lists
       return false;
-    fast_ = triangles.empty() ? nullptr : std::make_unique<Reference_surface>(points, std::move(triangles), true);
+    fast_ = triangles.empty() ? nullptr : std::make_unique<Triangle_surface>(points, std::move(triangles));
     return true;
   }
 
@@ -161,10 +165,10 @@ private:
   std::vector<Surface_sample> samples_;
   std::vector<Link> links_;
   std::vector<std::array<Vector_3, 3>> found_at_;   // the vertices of each link
-  std::unique_ptr<Reference_surface> known_;        // the boundary as it was when nearby_ was reset
+  std::unique_ptr<Triangle_surface> known_;         // the boundary as it was when nearby_ was reset
   Nearby_triangles nearby_;                         // to each sample
   std::vector<std::size_t> fast_triangles_;         // those that have moved too far since then
-  std::unique_ptr<Reference_surface> fast_;         // they, where they are now
+  std::unique_ptr<Triangle_surface> fast_;          // they, where they are now
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -8,7 +8,7 @@
 
 #include <CGAL/Hex_mesh_optimization/Deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
@@ -18,14 +18,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-inline double bounding_box_diagonal(const Reference_surface& surface)
+inline double bounding_box_diagonal(const Triangle_surface& surface)
 {
   Eigen::AlignedBox3d box;
   for (const Triangle_indices& t : surface.triangles)
@@ -35,7 +34,7 @@ inline double bounding_box_diagonal(const Reference_surface& surface)
 }
 
 // Distances from points spread over one surface to the other. O(samples · log triangles).
-inline void extend_deviation(const Reference_surface& from, const Reference_surface& to, std::size_t number_of_boundary_faces,
+inline void extend_deviation(const Triangle_surface& from, const Triangle_surface& to, std::size_t number_of_boundary_faces,
                              double spacing, Deviation& deviation)
 {
   struct Part
@@ -45,7 +44,7 @@ inline void extend_deviation(const Reference_surface& from, const Reference_surf
   const std::vector<Surface_sample> samples = spread_samples(from.points, from.triangles, number_of_boundary_faces, spacing);
   const auto parts = results_of_ranges<Part>(samples.size(), [&](std::size_t begin, std::size_t end) {
     Part part;
-    std::size_t hint = Reference_surface::no_hint; // the next sample is not far
+    std::size_t hint = Surface_point::no_hint; // the next sample is not far
     for (std::size_t i = begin; i < end; ++i) {
       const Surface_point foot = to.closest_point(samples[i].point, hint);
       hint = foot.hint;
@@ -67,16 +66,16 @@ inline void extend_deviation(const Reference_surface& from, const Reference_surf
   deviation.maximum = (std::max)(deviation.maximum, largest);
 }
 
-inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points, const Reference_surface& reference,
+inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points, const Triangle_surface& reference,
                            double spacing)
 {
   Deviation result;
-  const std::unique_ptr<Reference_surface> boundary = boundary_as_reference(complex, points);
-  if (boundary->is_empty() || reference.is_empty())
+  const Triangle_surface boundary(points, boundary_triangles(complex));
+  if (boundary.is_empty() || reference.is_empty())
     return result;
   const std::size_t faces = complex.boundary_faces.size();
-  extend_deviation(*boundary, reference, faces, spacing, result);
-  extend_deviation(reference, *boundary, faces, spacing, result);
+  extend_deviation(boundary, reference, faces, spacing, result);
+  extend_deviation(reference, boundary, faces, spacing, result);
   const double diagonal = bounding_box_diagonal(reference);
   result.average_relative = result.average / diagonal;
   result.maximum_relative = result.maximum / diagonal;

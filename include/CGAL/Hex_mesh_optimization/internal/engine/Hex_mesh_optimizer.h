@@ -25,7 +25,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/harmonic_start.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
@@ -44,39 +44,6 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// The edges of a triangle surface whose faces deviate from flat by more than the
-// bound, and those with one face or more than two.
-inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles, double angle_bound)
-{
-  std::vector<std::array<int, 3>> sides; // low, high, triangle
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<int>(t)});
-    }
-  std::sort(sides.begin(), sides.end());
-  const auto normal = [&](int t) {
-    const Vector_3& a = points[triangles[t][0]];
-    return Vector_3((points[triangles[t][1]] - a).cross(points[triangles[t][2]] - a));
-  };
-  const double bound = std::cos(angle_bound * 3.14159265358979323846 / 180);
-  Edge_list sharp;
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end][0] == sides[i][0] && sides[end][1] == sides[i][1])
-      ++end;
-    bool is_sharp = end - i != 2;
-    if (!is_sharp) {
-      const Vector_3 m = normal(sides[i][2]), n = normal(sides[i + 1][2]);
-      is_sharp = m.dot(n) < bound * m.norm() * n.norm();
-    }
-    if (is_sharp)
-      sharp.push_back({sides[i][0], sides[i][1]});
-    i = end;
-  }
-  return sharp;
-}
-
 class Hex_mesh_optimizer
 {
 public:
@@ -94,7 +61,7 @@ public:
   {
     if (reference)
       check(*reference);
-    normalize(reference);
+    normalize();
     build_reference(reference);
   }
 
@@ -260,7 +227,7 @@ private:
   }
 
   // The boundary terms have units of length², so that all weights presuppose a unit: the mean boundary edge.
-  void normalize(const Reference_input* reference)
+  void normalize()
   {
     unit_ = mean_boundary_edge_length(complex_, given_);
     if (!(unit_ > 0) || !std::isfinite(unit_))
@@ -276,39 +243,39 @@ private:
     points_.reserve(given_.size());
     for (const Vector_3& p : given_)
       points_.push_back((p - center_) / unit_);
-    if (reference) {
-      Positions normalized;
-      normalized.reserve(reference->points.size());
-      for (const Vector_3& p : reference->points)
-        normalized.push_back((p - center_) / unit_);
-      surface_ = std::make_unique<Reference_surface>(std::move(normalized), reference->triangles);
-    }
-    else
-      surface_ = boundary_as_reference(complex_, points_);
-    if (surface_->is_empty())
-      throw Input_error(Input_error::Element::MESH, 0,
-                        reference ? "the reference surface has no face with an area that is not lost against the mesh"
-                                  : "the boundary of the mesh has no face with an area");
   }
 
+  // The reference is the surface given, or the boundary of the mesh itself.
   void build_reference(const Reference_input* reference)
   {
     reference_is_given_ = reference != nullptr;
     const Feature_parameters& features = parameters_.features;
+    Positions normalized;
+    if (reference)
+      for (const Vector_3& p : reference->points)
+        normalized.push_back((p - center_) / unit_);
+    require_area(reference ? normalized : points_, reference ? reference->triangles : boundary_triangles(complex_));
     if (reference) {
-      trace_feature_curves(*surface_,
-                           reference->sharp_is_given ? reference->sharp
-                                                     : sharp_edges(surface_->points, surface_->triangles, features.angle_bound),
-                           reference->sharp_is_given, features);
+      Edge_list sharp = reference->sharp_is_given ? reference->sharp : sharp_edges(normalized, reference->triangles, features.angle_bound);
+      surface_ = std::make_unique<Reference_surface>(std::move(normalized), reference->triangles, std::move(sharp),
+                                                     reference->sharp_is_given, features);
       attachment_ = std::make_unique<Boundary_attachment>(Attachment_by_matching(complex_, points_, *surface_).attachment);
     }
     else {
-      trace_feature_curves(*surface_, sharp_boundary_edges(complex_, points_, features.angle_bound), false, features);
+      surface_ = boundary_as_reference(complex_, points_, features);
       attachment_ = std::make_unique<Boundary_attachment>(attach_to_own_boundary(complex_, *surface_));
     }
     for (std::size_t v = 0; v < is_frozen_.size(); ++v)
       if (is_frozen_[v] || (parameters_.fixed_boundary && complex_.is_on_boundary[v]))
         attachment_->kind[v] = Vertex_kind::FIXED;
+  }
+
+  void require_area(const Positions& points, const std::vector<Triangle_indices>& triangles) const
+  {
+    if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle_indices& t) { return Triangle_surface::has_area(points, t); }))
+      throw Input_error(Input_error::Element::MESH, 0,
+                        reference_is_given_ ? "the reference surface has no face with an area that is not lost against the mesh"
+                                            : "the boundary of the mesh has no face with an area");
   }
 
   std::vector<double> target_lengths(const Edge_relations& relations) const

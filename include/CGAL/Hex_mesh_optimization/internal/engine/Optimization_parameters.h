@@ -10,7 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/enum.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 
 #include <cstddef>
 #include <functional>

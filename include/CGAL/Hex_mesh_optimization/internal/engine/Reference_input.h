@@ -6,9 +6,8 @@
 
 // The reference as the engine takes it: a triangle surface on flat arrays.
 
-#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 
 #include <vector>
 

@@ -48,7 +48,7 @@ public:
     , global_(complex, relations, cones_, parameters_)
     , pull_(complex, surface, parameters.reference_spacing)
     , weights_(complex.number_of_vertices(), 1.0)
-    , feet_(complex.number_of_vertices(), Surface_point{Vector_3::Zero(), Vector_3::Zero(), {}, 0, Reference_surface::no_hint})
+    , feet_(complex.number_of_vertices())
     , targets_(cones_.size())
   {
     std::vector<char> is_fixed(complex.number_of_vertices());
@@ -118,7 +118,7 @@ private:
   {
     for_each(points.size(), [&](std::size_t v) {
       if (is_smooth(static_cast<int>(v)))
-        feet_[v] = surface_.closest_point(points[v], feet_[v].hint);
+        feet_[v] = surface_.foot_point(points[v], feet_[v].hint);
     }, 64);
     local_step(points, maximizing);
     global_.set_boundary(surface_, attachment_, feet_, weights_, anchor, points);
@@ -292,7 +292,7 @@ private:
   Global_step global_;
   Reference_pull pull_;
   std::vector<double> weights_;
-  std::vector<Surface_point> feet_; // of the vertices on the smooth surface
+  std::vector<Foot_point> feet_; // of the vertices on the smooth surface
   std::vector<Target_direction> targets_;
   std::size_t iteration_ = 0;
   bool is_valid_ = false;

@@ -67,7 +67,7 @@ public:
   // Sets the quadratic boundary terms at the current positions (eq. 21), each
   // times the weight of its vertex, and the pull towards the current place
   // within the surface. feet: the points of the surface closest to the vertices on it.
-  void set_boundary(const Reference_surface& surface, const Boundary_attachment& attachment, const std::vector<Surface_point>& feet,
+  void set_boundary(const Reference_surface& surface, const Boundary_attachment& attachment, const std::vector<Foot_point>& feet,
                     const std::vector<double>& weight, double tangential_anchor, const Positions& points)
   {
     boundary_blocks_.assign(points.size(), Matrix_3::Zero());
@@ -80,7 +80,7 @@ public:
       Vector_3 place = Vector_3::Zero();
       switch (attachment.kind[v]) {
       case Vertex_kind::SURFACE: {
-        const Surface_point& q = feet[v];
+        const Foot_point& q = feet[v];
         place = q.point;
         block = beta * weight[v] * q.normal * q.normal.transpose();
         break;

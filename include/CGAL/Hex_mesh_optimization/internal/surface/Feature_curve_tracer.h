@@ -8,100 +8,24 @@
 // the chance creases of a bumpy surface told from real features.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Surface_patches.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_adjacency.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
-
-struct Feature_parameters
-{
-  // Dihedral deviation from flat, in degrees, that makes an edge sharp. 40 to 45
-  // is where polycube and voxel boundaries start to show chance creases.
-  double angle_bound = 45;
-  // A curve turning by more than this at a vertex has a corner there, in degrees.
-  double corner_turn = 60;
-  // A feature separates two patches of the surface. Curves that do not, with the same patch on either side, are features
-  // only from this length on, and patches smaller than the area are none; in units of mean boundary edges.
-  double persistence = 15;
-  double least_patch_area = 6;
-  // Nor is a patch smaller than this part of the whole surface required: coarse meshes have patches of few faces.
-  double least_patch_part = .02;
-};
-
-using Edge_list = std::vector<std::array<int, 2>>;
-
-// The patches that a set of edges cuts a triangle surface into.
-class Surface_patches
-{
-public:
-  // barriers: sorted, the smaller index first
-  Surface_patches(const Positions& points, const std::vector<Triangle_indices>& triangles, const Edge_list& barriers)
-    : parent_(triangles.size())
-    , area_(triangles.size(), 0.0)
-  {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-        sides_.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<int>(t)});
-      }
-    std::sort(sides_.begin(), sides_.end());
-    for (std::size_t i = 1; i < sides_.size(); ++i)
-      if (sides_[i][0] == sides_[i - 1][0] && sides_[i][1] == sides_[i - 1][1] &&
-          !std::binary_search(barriers.begin(), barriers.end(), std::array<int, 2>{sides_[i][0], sides_[i][1]}))
-        parent_[root(sides_[i][2])] = root(sides_[i - 1][2]);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const Vector_3& a = points[triangles[t][0]];
-      area_[root(static_cast<int>(t))] += (points[triangles[t][1]] - a).cross(points[triangles[t][2]] - a).norm() / 2;
-    }
-  }
-
-  double total_area() const
-  {
-    double sum = 0;
-    for (double area : area_)
-      sum += area;
-    return sum;
-  }
-
-  // Whether an edge lies between different patches none of which is smaller than the area. The rim of an open surface
-  // and edges with more than two triangles do.
-  bool separates(const std::array<int, 2>& edge, double least_area)
-  {
-    const auto first = std::lower_bound(sides_.begin(), sides_.end(),
-                                        std::array<int, 3>{(std::min)(edge[0], edge[1]), (std::max)(edge[0], edge[1]), 0});
-    const auto second = first + 1;
-    const bool has_two = second != sides_.end() && (*second)[0] == (*first)[0] && (*second)[1] == (*first)[1] &&
-                         (second + 1 == sides_.end() || (*(second + 1))[0] != (*first)[0] || (*(second + 1))[1] != (*first)[1]);
-    if (!has_two)
-      return true;
-    const int left = root((*first)[2]), right = root((*second)[2]);
-    return left != right && area_[left] >= least_area && area_[right] >= least_area;
-  }
-
-private:
-  int root(int t)
-  {
-    while (parent_[t] != t)
-      t = parent_[t] = parent_[parent_[t]];
-    return t;
-  }
-
-  std::vector<int> parent_;
-  std::vector<double> area_; // at roots
-  std::vector<std::array<int, 3>> sides_; // low, high, triangle
-};
 
 // Traces maximal curves of a graph of sharp edges, split at every vertex that is
 // not simply passed. `keep_all`: the edges were named by the user, none is noise.
@@ -112,10 +36,13 @@ public:
                        const Feature_parameters& parameters)
     : points_(points)
     , edges_(std::move(sharp))
-    , cos_corner_(std::cos(parameters.corner_turn * 3.14159265358979323846 / 180))
+    , cos_corner_(std::cos(parameters.corner_turn * CGAL_PI / 180))
   {
     trace();
-    while (!keep_all && drop_chance_creases(triangles, parameters))
+    if (keep_all || edges_.empty())
+      return;
+    const Triangle_adjacency adjacency(triangles);
+    while (drop_chance_creases(triangles, adjacency, parameters))
       trace();
   }
 
@@ -172,13 +99,14 @@ private:
     curve_edges_.push_back(std::move(edges));
   }
 
-  bool drop_chance_creases(const std::vector<Triangle_indices>& triangles, const Feature_parameters& parameters)
+  bool drop_chance_creases(const std::vector<Triangle_indices>& triangles, const Triangle_adjacency& adjacency,
+                           const Feature_parameters& parameters)
   {
     Edge_list barriers = edges_;
     for (std::array<int, 2>& e : barriers)
-      std::sort(e.begin(), e.end());
+      e = Triangle_adjacency::ordered(e);
     std::sort(barriers.begin(), barriers.end());
-    Surface_patches patches(points_, triangles, barriers);
+    Surface_patches patches(points_, triangles, adjacency, barriers);
     const double least_area = (std::min)(parameters.least_patch_area, parameters.least_patch_part * patches.total_area());
     std::vector<char> drop(edges_.size(), false);
     bool any = false;
@@ -208,15 +136,6 @@ private:
   Grouped_array incident_;
   std::vector<std::vector<int>> curves_, curve_edges_;
 };
-
-inline void trace_feature_curves(Reference_surface& surface, Edge_list sharp, bool keep_all, const Feature_parameters& parameters)
-{
-  const Feature_curve_tracer tracer(surface.points, surface.triangles, std::move(sharp), keep_all, parameters);
-  for (const std::vector<int>& curve : tracer.curves())
-    surface.curves.push_back(std::make_unique<Feature_curve>(curve, surface.points));
-  surface.corners = tracer.corners();
-  surface.smooth_normals();
-}
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal
 

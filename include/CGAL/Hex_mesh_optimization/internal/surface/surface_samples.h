@@ -6,8 +6,8 @@
 
 // Points spread evenly and deterministically over a triangle surface.
 
-#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_POINT_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_POINT_H
+
+// A point of a triangle surface that a search has found.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+struct Surface_point
+{
+  static constexpr std::size_t no_hint = static_cast<std::size_t>(-1);
+
+  Vector_3 point = Vector_3::Zero();
+  std::array<double, 3> coordinates{}; // barycentric, in the triangle
+  std::size_t triangle = 0;
+  std::size_t hint = no_hint; // for a search nearby
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_POINT_H

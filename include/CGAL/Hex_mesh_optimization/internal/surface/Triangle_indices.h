@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_INDICES_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_INDICES_H
+
+// How triangle surfaces are given: by indices into points.
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+using Triangle_indices = std::array<int, 3>;
+
+using Edge_list = std::vector<std::array<int, 2>>;
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_INDICES_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SHARP_EDGES_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SHARP_EDGES_H
+
+// The edges of a triangle surface that can belong to features, by the angle between
+// their triangles.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_adjacency.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// The edges whose triangles deviate from flat by more than the bound, in degrees, and those with one triangle or more than two.
+inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles, double angle_bound)
+{
+  const auto normal = [&](int t) {
+    const Vector_3& a = points[triangles[t][0]];
+    return Vector_3((points[triangles[t][1]] - a).cross(points[triangles[t][2]] - a));
+  };
+  const double bound = std::cos(angle_bound * CGAL_PI / 180);
+  Edge_list sharp;
+  Triangle_adjacency(triangles).for_each_edge([&](const Triangle_adjacency::Sides& sides) {
+    bool is_sharp = sides.size() != 2;
+    if (!is_sharp) {
+      const Vector_3 m = normal(sides[0].triangle), n = normal(sides[1].triangle);
+      is_sharp = m.dot(n) < bound * m.norm() * n.norm();
+    }
+    if (is_sharp)
+      sharp.push_back(sides[0].edge);
+  });
+  return sharp;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SHARP_EDGES_H
