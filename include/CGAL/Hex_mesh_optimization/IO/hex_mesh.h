@@ -45,8 +45,9 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
   throw CGAL::IO::Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
 }
 
-} } } // namespace Hex_mesh_optimization::internal::IO
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
+namespace CGAL {
 namespace IO {
 
 /*!

@@ -71,8 +71,9 @@ void read_polygons(const std::string& filename, std::vector<Point>& points,
     throw CGAL::IO::Hex_mesh_file_error(filename, 0, "it cannot be read as a surface in ." + extension + " format");
 }
 
-} } } // namespace Hex_mesh_optimization::internal::IO
+} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
+namespace CGAL {
 namespace IO {
 
 /*!
