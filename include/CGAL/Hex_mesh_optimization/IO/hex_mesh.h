@@ -32,8 +32,6 @@ namespace Hex_mesh_optimization {
 namespace internal {
 namespace IO {
 
-using CGAL::Hex_mesh_optimization::internal::Is_linear_cell_complex;
-
 template <class Type>
 using Linear_cell_complex_only = std::enable_if_t<Is_linear_cell_complex<Type>::value, int>;
 
