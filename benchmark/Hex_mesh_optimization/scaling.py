@@ -27,8 +27,8 @@ parser.add_argument("--amount", help="of generate_hex_mesh")
 arguments = parser.parse_args()
 
 table = csv.writer(sys.stdout, lineterminator="\n")
-table.writerow(["hexahedra", "cpu_seconds", "growth", "wall_seconds", "set_up_and_measure_seconds", "rectification_seconds", "maximization_seconds",
-                "microseconds_per_hexahedron", "MiB", "minimum", "average", "invalid"])
+table.writerow(["hexahedra", "cpu_seconds", "growth", "wall_seconds", "set_up_and_measure_seconds", "rectification_seconds",
+                "untangling_seconds", "maximization_seconds", "microseconds_per_hexahedron", "MiB", "minimum", "average", "invalid"])
 before = None
 for size in arguments.sizes:
     with tempfile.TemporaryDirectory() as folder:
@@ -50,7 +50,7 @@ for size in arguments.sizes:
     after = status["after"]
     n = after["number_of_hexahedra"]
     growth = "" if before is None else f"{math.log(cost.cpu / before[1]) / math.log(n / before[0]):.2f}"
-    stages = status["rectification_seconds"], status["maximization_seconds"]
+    stages = [status[stage + "_seconds"] for stage in ("rectification", "untangling", "maximization")]
     table.writerow([n, f"{cost.cpu:.2f}", growth, f"{cost.wall:.2f}", f"{status['total_seconds'] - sum(stages):.2f}", *(f"{s:.2f}" for s in stages),
                     f"{1e6 * cost.cpu / n:.0f}", f"{cost.memory:.0f}", f"{after['minimum']:.4f}", f"{after['average']:.4f}",
                     after["number_of_invalid"]])

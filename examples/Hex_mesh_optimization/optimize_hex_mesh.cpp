@@ -311,6 +311,9 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   print_row("average deviation / diagonal", "", text(status.deviation.average_relative));
   print_row("maximum deviation / diagonal", "", text(status.deviation.maximum_relative));
   print_row("seconds", "", text(status.total_seconds));
+  print_row("  of rectification", "", text(status.rectification_seconds));
+  print_row("  of untangling", "", text(status.untangling_seconds));
+  print_row("  of maximization", "", text(status.maximization_seconds));
 
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
   if (status.orientation_reversed)
@@ -426,6 +429,7 @@ Json json(const HMO::Status& status, const Mesh& mesh)
             {"maximum_relative", status.deviation.maximum_relative}}},
           {"iterations", status.iterations},
           {"rectification_seconds", status.rectification_seconds},
+          {"untangling_seconds", status.untangling_seconds},
           {"maximization_seconds", status.maximization_seconds},
           {"total_seconds", status.total_seconds},
           {"deviation_bound", status.deviation_bound},

@@ -126,7 +126,8 @@ TEST_F(Program, repairs_a_tangled_mesh_and_prints_a_table)
 
   const std::string table = text("stdout");
   for (const char* title : {"before", "after", "inverted", "invalid", "minimum", "mean", "standard deviation", "edge ratio",
-                            "average deviation", "maximum deviation", "seconds", "Stopped after", "The mesh is valid."})
+                            "average deviation", "maximum deviation", "seconds", "of rectification", "of untangling", "of maximization",
+                            "Stopped after", "The mesh is valid."})
     EXPECT_TRUE(contains(table, title)) << title << " in\n" << table;
   EXPECT_EQ(text("stderr"), "") << "progress is for terminals";
 }
@@ -166,7 +167,13 @@ TEST_F(Program, reports_every_iteration_in_json)
   EXPECT_EQ(status["invalid_hexahedra"], nlohmann::json::array());
   EXPECT_GT(status["before"]["number_of_inverted"], 0);
   EXPECT_EQ(status["after"]["number_of_inverted"], 0);
-  EXPECT_GT(status["total_seconds"], 0.);
+  double of_stages = 0;
+  for (const char* stage : {"rectification_seconds", "untangling_seconds", "maximization_seconds"}) {
+    EXPECT_GE(status[stage], 0.) << stage;
+    of_stages += double(status[stage]);
+  }
+  EXPECT_GT(of_stages, 0.);
+  EXPECT_GT(status["total_seconds"], of_stages);
 
   const Mesh output = read("out.mesh");
   EXPECT_EQ(status["after"]["minimum"], HMO::quality_statistics(output.points, output.hexahedra).minimum)

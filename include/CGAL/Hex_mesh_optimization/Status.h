@@ -35,6 +35,7 @@ struct Status
   std::size_t iterations = 0; ///< Over all stages.
 
   double rectification_seconds = 0; ///< Wall-clock time of edge-cone rectification.
+  double untangling_seconds = 0;    ///< Wall-clock time of untangling.
   double maximization_seconds = 0;  ///< Wall-clock time of quality maximization.
   double total_seconds = 0;         ///< Wall-clock time of everything, set-up and final measurements included.
 

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H
+
+// What a run works with: positions in a unit of length of the mesh, the reference, what
+// each vertex is attached to, and target lengths.
+
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Model
+{
+public:
+  // Throws Input_error. reference: null when the boundary of the mesh is its own reference. is_frozen: of the vertices in the
+  // order of the caller. The mesh must outlive the object.
+  Model(const Checked_mesh& mesh, const Reference_input* reference, const std::vector<char>& is_frozen,
+        const Optimization_parameters& parameters)
+    : mesh(mesh)
+    , reference_is_given(is_given(reference))
+    , unit(mean_boundary_edge(mesh))
+    , center(boundary_center(mesh, unit))
+    , points(in_units(mesh.points))
+    , surface(reference ? given_reference(*reference, parameters.features) : own_reference(parameters.features))
+    , attachment(attached(is_frozen, parameters.fixed_boundary))
+    , is_fixed(fixed_vertices(attachment))
+    , relations(mesh.complex)
+    , lengths_are_estimated(!parameters.target_length && parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED)
+    , lengths(target_lengths(parameters))
+  {}
+
+  Positions in_units(const Positions& positions) const
+  {
+    Positions result;
+    result.reserve(positions.size());
+    for (const Vector_3& p : positions)
+      result.push_back((p - center) / unit);
+    return result;
+  }
+
+  // In the coordinates of the input. What has not moved is not rounded.
+  Positions in_coordinates(const Positions& positions) const
+  {
+    Positions result = mesh.points;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (!is_fixed[v] && positions[v] != points[v])
+        result[v] = positions[v] * unit + center;
+    return result;
+  }
+
+  const Checked_mesh& mesh;
+  const bool reference_is_given; // it is not the boundary of the mesh itself
+  const double unit; // the boundary terms have units of length², so that all weights presuppose one: the mean boundary edge
+  const Vector_3 center;
+  const Positions points; // of the mesh, in this unit, as is all that follows
+  const std::unique_ptr<const Reference_surface> surface;
+  const Boundary_attachment attachment;
+  const std::vector<char> is_fixed; // of the vertices
+  const Edge_relations relations;
+  const bool lengths_are_estimated;
+  const std::vector<double> lengths; // targets of the edges
+
+private:
+  // Throws Input_error if it cannot be used.
+  static bool is_given(const Reference_input* reference)
+  {
+    using Element = Input_error::Element;
+    if (!reference)
+      return false;
+    for (std::size_t v = 0; v < reference->points.size(); ++v)
+      if (!reference->points[v].allFinite())
+        throw Input_error(Element::REFERENCE_VERTEX, v,
+                          "vertex " + std::to_string(v) + " of the reference surface has a coordinate that is not finite");
+    if (reference->triangles.empty())
+      throw Input_error(Element::MESH, 0, "the reference surface is empty");
+    return true;
+  }
+
+  static double mean_boundary_edge(const Checked_mesh& mesh)
+  {
+    const double mean = mean_boundary_edge_length(mesh.complex, mesh.points);
+    if (!(mean > 0) || !std::isfinite(mean))
+      throw Input_error(Input_error::Element::MESH, 0,
+                        "all vertices of the boundary lie in one point, or too far apart for their coordinates");
+    return mean;
+  }
+
+  static Vector_3 boundary_center(const Checked_mesh& mesh, double unit)
+  {
+    Vector_3 sum = Vector_3::Zero();
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (mesh.complex.is_on_boundary[v]) {
+        sum += mesh.points[v] / unit;
+        ++count;
+      }
+    return sum / double(count) * unit;
+  }
+
+  std::unique_ptr<const Reference_surface> given_reference(const Reference_input& reference, const Feature_parameters& features) const
+  {
+    Positions normalized = in_units(reference.points);
+    require_area(normalized, reference.triangles, "the reference surface has no face with an area that is not lost against the mesh");
+    Edge_list sharp = reference.sharp_is_given ? reference.sharp : sharp_edges(normalized, reference.triangles, features.angle_bound);
+    return std::make_unique<const Reference_surface>(std::move(normalized), reference.triangles, std::move(sharp),
+                                                     reference.sharp_is_given, features);
+  }
+
+  std::unique_ptr<const Reference_surface> own_reference(const Feature_parameters& features) const
+  {
+    require_area(points, boundary_triangles(mesh.complex), "the boundary of the mesh has no face with an area");
+    return boundary_as_reference(mesh.complex, points, features);
+  }
+
+  Boundary_attachment attached(const std::vector<char>& is_frozen, bool fixed_boundary) const
+  {
+    Boundary_attachment result = reference_is_given ? Attachment_by_matching(mesh.complex, points, *surface).attachment
+                                                    : attach_to_own_boundary(mesh.complex, *surface);
+    const std::vector<char> frozen = mesh.order.ordered(is_frozen);
+    for (std::size_t v = 0; v < frozen.size(); ++v)
+      if (frozen[v] || (fixed_boundary && mesh.complex.is_on_boundary[v]))
+        result.kind[v] = Vertex_kind::FIXED;
+    return result;
+  }
+
+  static std::vector<char> fixed_vertices(const Boundary_attachment& attachment)
+  {
+    std::vector<char> result;
+    for (Vertex_kind kind : attachment.kind)
+      result.push_back(kind == Vertex_kind::FIXED);
+    return result;
+  }
+
+  static void require_area(const Positions& points, const std::vector<Triangle_indices>& triangles, const char* message)
+  {
+    if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle_indices& t) { return Triangle_surface::has_area(points, t); }))
+      throw Input_error(Input_error::Element::MESH, 0, message);
+  }
+
+  std::vector<double> target_lengths(const Optimization_parameters& parameters) const
+  {
+    if (parameters.target_length) {
+      // asked for in the order that edges have with the caller's vertices
+      std::vector<std::pair<std::array<int, 2>, std::size_t>> given_edges;
+      for (std::size_t e = 0; e < mesh.complex.edges.size(); ++e) {
+        const auto [low, high] = std::minmax({mesh.order.given_vertex(mesh.complex.edges[e][0]), mesh.order.given_vertex(mesh.complex.edges[e][1])});
+        given_edges.push_back({{low, high}, e});
+      }
+      std::sort(given_edges.begin(), given_edges.end());
+      std::vector<double> lengths(mesh.complex.edges.size());
+      for (std::size_t i = 0; i < given_edges.size(); ++i) {
+        const auto& [vertices, e] = given_edges[i];
+        const double given = parameters.target_length(vertices[0], vertices[1]);
+        if (!(given > 0) || !std::isfinite(given))
+          throw Input_error(Input_error::Element::PARAMETER, i,
+                            "the target length of the edge from vertex " + std::to_string(vertices[0]) + " to vertex " +
+                              std::to_string(vertices[1]) + " is not positive and finite");
+        lengths[e] = given / unit;
+      }
+      return lengths;
+    }
+    if (parameters.target_edge_lengths == Target_edge_lengths::INPUT) {
+      std::vector<double> lengths = edge_lengths(mesh.complex, points);
+      for (double& l : lengths)
+        l = (std::max)(l, parameters.rectification.least_length);
+      return lengths;
+    }
+    return estimate_edge_lengths(mesh.complex, relations, points);
+  }
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REPORT_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REPORT_H
+
+// What the run has come to: the result is certified, compared with what came in, and
+// measured, all in the coordinates and the numbering that the caller gets.
+
+#include <CGAL/Hex_mesh_optimization/Connectivity_limit.h>
+#include <CGAL/Hex_mesh_optimization/Deviation.h>
+#include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Model.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Report
+{
+public:
+  // All must outlive the object.
+  Report(const Checked_mesh& mesh, const Model& model, const Optimization_parameters& parameters)
+    : mesh_(mesh)
+    , model_(model)
+    , parameters_(parameters)
+    , positions_(mesh.points)
+  {
+    status.orientation_reversed = mesh.is_reversed;
+    status.before = mesh.statistics(mesh.points);
+  }
+
+  // Takes the result, in the coordinates of the input: the final statistics are those of the coordinates handed out, so that
+  // no rounding undoes what they say. What is worse than the input is not taken, but the input.
+  void certify(Positions result)
+  {
+    positions_ = std::move(result);
+    status.after = mesh_.statistics(positions_);
+    status.deviation = measured_deviation(positions_);
+    status.deviation_bound = parameters_.maximum_deviation;
+    if (is_worse(status.after, status.before) || leaves_bound()) {
+      positions_ = mesh_.points;
+      status.after = status.before;
+      status.deviation = measured_deviation(positions_);
+    }
+    for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h)
+      if (hexahedron_validity(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[h])) != Validity::VALID) {
+        status.invalid_hexahedra.push_back(mesh_.order.given_hexahedron(h));
+        if (is_locked(mesh_.complex.hexahedra[h]))
+          status.locked_hexahedra.push_back(mesh_.order.given_hexahedron(h));
+      }
+    for (Connectivity_limit limit : connectivity_limits(mesh_.complex, model_.attachment))
+      if (scaled_jacobian(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[limit.hexahedron])) <= limit.largest_scaled_jacobian) {
+        limit.hexahedron = mesh_.order.given_hexahedron(limit.hexahedron);
+        status.connectivity_limits.push_back(limit);
+      }
+    std::sort(status.invalid_hexahedra.begin(), status.invalid_hexahedra.end());
+    std::sort(status.locked_hexahedra.begin(), status.locked_hexahedra.end());
+    std::sort(status.connectivity_limits.begin(), status.connectivity_limits.end(),
+              [](const Connectivity_limit& a, const Connectivity_limit& b) { return a.hexahedron < b.hexahedron; });
+  }
+
+  // Why the run ended, as far as the result says so; otherwise: where it does not.
+  Return_code return_code(Return_code otherwise) const
+  {
+    if (positions_ == mesh_.points)
+      return Return_code::NO_IMPROVEMENT;
+    if (status.valid_mesh() && status.after.minimum >= parameters_.target_quality)
+      return Return_code::TARGET_QUALITY_REACHED;
+    return otherwise;
+  }
+
+  Status status;
+
+  const Positions& positions() const { return positions_; }
+
+private:
+  Deviation measured_deviation(const Positions& positions) const
+  {
+    Deviation result = deviation(mesh_.complex, model_.in_units(positions), *model_.surface, parameters_.measuring_spacing);
+    result.average *= model_.unit;
+    result.maximum *= model_.unit;
+    return result;
+  }
+
+  // Whether a bound that the input obeyed is exceeded without the gain of validity.
+  bool leaves_bound() const
+  {
+    return !status.is_within_deviation_bound() && status.before.number_of_invalid <= status.after.number_of_invalid &&
+           measured_deviation(mesh_.points).maximum <= parameters_.maximum_deviation;
+  }
+
+  // Whether a corner is inverted whose vertices are all fixed.
+  bool is_locked(const Hexahedron& h) const
+  {
+    const auto is_fixed = [&](int i) { return model_.is_fixed[h[i]] != 0; };
+    for (int c = 0; c < 8; ++c) {
+      const int(&next)[3] = corner_neighbors[c];
+      const auto edge = [&](int k) { return Vector_3(positions_[h[next[k]]] - positions_[h[c]]); };
+      if (is_fixed(c) && is_fixed(next[0]) && is_fixed(next[1]) && is_fixed(next[2]) && edge(0).dot(edge(1).cross(edge(2))) <= 0)
+        return true;
+    }
+    return false;
+  }
+
+  static bool is_worse(const Quality_statistics& now, const Quality_statistics& before)
+  {
+    if (now.number_of_inverted != before.number_of_inverted)
+      return now.number_of_inverted > before.number_of_inverted;
+    if (now.number_of_invalid != before.number_of_invalid)
+      return now.number_of_invalid > before.number_of_invalid;
+    return now.number_of_invalid == 0 && now.minimum < before.minimum;
+  }
+
+  const Checked_mesh& mesh_;
+  const Model& model_;
+  const Optimization_parameters& parameters_;
+  Positions positions_;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REPORT_H
