@@ -74,6 +74,21 @@ inline const std::vector<Mesh_family>& mesh_families()
   return families;
 }
 
+// The name of a test over families
+struct Family_name
+{
+  template <class Info>
+  std::string operator()(const Info& info) const { return info.param.name; }
+};
+
+inline CGAL::Hex_mesh_optimization::internal::Positions positions(const Indexed_mesh& mesh)
+{
+  CGAL::Hex_mesh_optimization::internal::Positions points;
+  for (const auto& p : mesh.points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  return points;
+}
+
 // Builds the boundary of a mesh, each quad split from its second corner, through
 // add_vertex(point) and add_triangle(v, v, v), which take what add_vertex returns.
 template <class Add_vertex, class Add_triangle>

@@ -83,10 +83,8 @@ Status optimize_until(std::size_t calls, Method method, Indexed_mesh& mesh, Reco
 
 class Interruption : public ::testing::TestWithParam<Mesh_family> {};
 
-std::string family_name(const ::testing::TestParamInfo<Mesh_family>& info) { return info.param.name; }
-
 INSTANTIATE_TEST_SUITE_P(Families, Interruption,
-                         ::testing::Values(mesh_families()[0], mesh_families()[3], mesh_families()[4], mesh_families()[7]), family_name);
+                         ::testing::Values(mesh_families()[0], mesh_families()[3], mesh_families()[4], mesh_families()[7]), Family_name());
 
 TEST_P(Interruption, by_the_visitor_at_any_call)
 {

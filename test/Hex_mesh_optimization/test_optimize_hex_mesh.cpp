@@ -84,9 +84,7 @@ void expect_never_worse(const Status& status)
 
 class Optimize_hex_mesh : public ::testing::TestWithParam<Mesh_family> {};
 
-std::string family_name(const ::testing::TestParamInfo<Mesh_family>& info) { return info.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Families, Optimize_hex_mesh, ::testing::ValuesIn(mesh_families()), family_name);
+INSTANTIATE_TEST_SUITE_P(Families, Optimize_hex_mesh, ::testing::ValuesIn(mesh_families()), Family_name());
 
 // --- Untangling -------------------------------------------------------------------
 

@@ -4,13 +4,13 @@
 // Which hexahedra the connectivity limits, and that their limits are neither
 // exceeded nor too high.
 
-#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
-#include "hexahedron_rotations.h"
-#include "mesh_families.h"
+#include "../hexahedron_rotations.h"
+#include "../mesh_families.h"
 
 #include <gtest/gtest.h>
 
@@ -81,8 +81,6 @@ std::map<std::pair<std::size_t, std::size_t>, std::set<std::size_t>> hexahedra_a
       result[std::minmax(mesh.hexahedra[h][e[0]], mesh.hexahedra[h][e[1]])].insert(h);
   return result;
 }
-
-// --- Generated solids --------------------------------------------------------
 
 TEST(Connectivity_limits, of_regular_meshes_are_none)
 {
@@ -191,8 +189,6 @@ TEST(Connectivity_limits, do_not_depend_on_the_numbering)
   }
 }
 
-// --- A boundary that is smooth where a regular mesh has an edge ----------------
-
 TEST(Connectivity_limits, make_a_hexahedron_flat_at_a_smooth_edge)
 {
   Indexed_mesh mesh;
@@ -231,8 +227,6 @@ TEST(Connectivity_limits, claim_nothing_at_fixed_vertices_and_corners)
     EXPECT_TRUE(limits(complex, fixed).empty()) << family.name;
   }
 }
-
-// --- One vertex at a time -------------------------------------------------------
 
 // The hexahedra around vertex 0, one for each triangle of the surface that a small sphere around the vertex shows: an
 // edge of the mesh for each vertex of it and a face for each edge. All boundary vertices but 0 are fixed.
@@ -373,8 +367,6 @@ TEST(Connectivity_limits, at_curves)
   for (const auto& l : limits(star.complex, star.attachment))
     EXPECT_EQ(l.second.first, Reason::INTERIOR_EDGE);
 }
-
-// --- The limits are what can be reached -------------------------------------------
 
 // n columns around an axis at the origin, each over a rhombus with the same angle at the axis, three layers high
 Indexed_mesh rhombi(int n, double degrees)

@@ -1,18 +1,20 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sparse system of the global step against eq. 25 of the paper, summed term
-// by term, and the target lengths against eq. 22 to 24.
+// The global step against eq. 25 of the paper, summed term by term.
 
+#include <CGAL/Hex_mesh_optimization/internal/rectification/Global_step.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
-#include <CGAL/Hex_mesh_optimization/internal/rectification/Global_step.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Vertex_system.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
-#include <CGAL/Simple_cartesian.h>
+
+#include "../Generated_mesh.h"
+#include "../numerical_gradient.h"
+#include "../random_positions.h"
 
 #include <gtest/gtest.h>
 
@@ -21,11 +23,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <memory>
 #include <random>
-#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,49 +36,6 @@ namespace {
 
 namespace HMO = CGAL::Hex_mesh_optimization;
 using namespace CGAL::Hex_mesh_optimization::internal;
-
-Vector_3 random_vector(std::mt19937& random, double size)
-{
-  std::uniform_real_distribution<double> uniform(-size, size);
-  const double x = uniform(random), y = uniform(random), z = uniform(random);
-  return Vector_3(x, y, z);
-}
-
-Positions moved(Positions points, std::mt19937& random, double size)
-{
-  for (Vector_3& p : points)
-    p += random_vector(random, size);
-  return points;
-}
-
-// All positions as 3 n numbers.
-Eigen::VectorXd flat(const Positions& points)
-{
-  Eigen::VectorXd x(3 * points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    x.segment<3>(3 * v) = points[v];
-  return x;
-}
-
-// Exact for quadratic functions, up to rounding
-template <class Energy>
-Eigen::VectorXd gradient(const Energy& energy, const Positions& points)
-{
-  const double h = 1e-2;
-  Eigen::VectorXd result(3 * points.size());
-  Positions p = points;
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    double& x = p[i / 3][i % 3];
-    const double at = x;
-    x = at + h;
-    const double after = energy(p);
-    x = at - h;
-    const double before = energy(p);
-    x = at;
-    result[i] = (after - before) / (2 * h);
-  }
-  return result;
-}
 
 template <class Energy>
 Eigen::MatrixXd hessian(const Energy& energy, std::size_t number_of_points)
@@ -91,8 +51,6 @@ Eigen::MatrixXd hessian(const Energy& energy, std::size_t number_of_points)
   return result;
 }
 
-// --- The sparse system itself ---------------------------------------------------
-
 std::vector<Foot_point> feet_on(const Reference_surface& surface, const Positions& points)
 {
   std::vector<Foot_point> feet;
@@ -100,106 +58,6 @@ std::vector<Foot_point> feet_on(const Reference_surface& surface, const Position
     feet.push_back(surface.foot_point(p));
   return feet;
 }
-
-struct Random_system
-{
-  static constexpr std::size_t n = 12;
-  Vertex_system system;
-  Eigen::MatrixXd A;
-  Eigen::VectorXd b;
-
-  explicit Random_system(unsigned int seed)
-    : system(n, {{{0, 1}}, {{0, 2}}, {{1, 2}}, {{2, 3}}, {{3, 4}}, {{3, 7}}, {{4, 5}}, {{0, 5}}, {{5, 6}}, {{6, 7}}, {{7, 8}},
-                 {{1, 8}}, {{8, 9}}, {{9, 10}}, {{10, 11}}, {{2, 11}}, {{0, 1}}, {{3, 4}}})
-    , A(Eigen::MatrixXd::Zero(3 * n, 3 * n))
-    , b(3 * n)
-  {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(.1, 2);
-    const std::array<int, 2> pairs[] = {{{0, 1}}, {{0, 2}}, {{1, 2}}, {{2, 3}}, {{3, 4}}, {{3, 7}}, {{4, 5}}, {{0, 5}},
-                                        {{5, 6}}, {{6, 7}}, {{7, 8}}, {{1, 8}}, {{8, 9}}, {{9, 10}}, {{10, 11}}, {{2, 11}}};
-    for (const auto& p : pairs) {
-      const double w = uniform(random);
-      for (int end = 0; end < 2; ++end) {
-        system.diagonal[p[end]] += w;
-        system.couplings()[system.slot(p[end], p[1 - end])] -= w;
-        for (int d = 0; d < 3; ++d) {
-          A(3 * p[end] + d, 3 * p[end] + d) += w;
-          A(3 * p[end] + d, 3 * p[1 - end] + d) -= w;
-        }
-      }
-    }
-    for (std::size_t v = 0; v < n; ++v) {
-      system.right[v] = random_vector(random, 3);
-      b.segment<3>(3 * v) = system.right[v];
-      if (v % 3)
-        continue;
-      const Vector_3 normal = random_vector(random, 1).normalized();
-      system.blocks[v] = 5 * normal * normal.transpose() + .5 * Matrix_3::Identity();
-      A.block<3, 3>(3 * v, 3 * v) += system.blocks[v];
-    }
-  }
-};
-
-TEST(Vertex_system, has_the_energy_and_gradient_of_its_matrix)
-{
-  for (unsigned int seed = 0; seed < 3; ++seed) {
-    const Random_system s(seed);
-    std::mt19937 random(seed + 10);
-    const Positions points = moved(Positions(s.n, Vector_3::Zero()), random, 2);
-    const Eigen::VectorXd x = flat(points);
-    EXPECT_NEAR(s.system.energy(points), x.dot(s.A * x) - 2 * s.b.dot(x), 1e-10);
-    const Eigen::VectorXd difference =
-      gradient([&](const Positions& p) { return s.system.energy(p); }, points) - 2 * (s.A * x - s.b);
-    EXPECT_LT(difference.norm(), 1e-8);
-  }
-}
-
-TEST(Vertex_system, is_solved_as_a_dense_system)
-{
-  for (unsigned int seed = 0; seed < 3; ++seed) {
-    const Random_system s(seed);
-    Positions points(s.n, Vector_3::Zero());
-    const int iterations = s.system.solve(points, 1e-13, 1000);
-    EXPECT_GT(iterations, 0);
-    EXPECT_LE(iterations, 3 * int(s.n) + 5);
-    EXPECT_LT((flat(points) - s.A.ldlt().solve(s.b)).norm(), 1e-9);
-    EXPECT_EQ(s.system.solve(points, 1e-6, 1000), 0) << "started at the solution";
-  }
-}
-
-TEST(Vertex_system, keeps_fixed_rows_and_solves_for_the_others)
-{
-  for (unsigned int seed = 0; seed < 3; ++seed) {
-    Random_system s(seed);
-    std::mt19937 random(seed);
-    const Positions start = moved(Positions(s.n, Vector_3::Zero()), random, 2);
-    Positions points = start;
-    std::vector<int> free;
-    for (std::size_t v = 0; v < s.n; ++v)
-      if (v % 4 == 1)
-        s.system.is_fixed[v] = true;
-      else
-        free.push_back(static_cast<int>(v));
-    s.system.solve(points, 1e-13, 1000);
-    const Eigen::VectorXd residual = s.A * flat(points) - s.b;
-    for (std::size_t v = 0; v < s.n; ++v)
-      if (s.system.is_fixed[v])
-        EXPECT_EQ(points[v], start[v]);
-      else
-        EXPECT_LT(residual.segment<3>(3 * v).norm(), 1e-9);
-  }
-}
-
-TEST(Vertex_system, honors_the_limit_of_iterations)
-{
-  const Random_system s(1);
-  Positions points(s.n, Vector_3::Zero());
-  EXPECT_EQ(s.system.solve(points, 1e-13, 3), 3);
-  EXPECT_LT(s.system.energy(points), 0) << "three steps downhill from zero";
-}
-
-// --- Eq. 25 ---------------------------------------------------------------------
 
 // A mesh with positions that are all over the place, and everything that the
 // global step is given.
@@ -220,7 +78,7 @@ struct Setting
   double worst_cosine_of_mesh = std::numeric_limits<double>::quiet_NaN();
 
   template <class Make>
-  Setting(unsigned int seed, Make make) : Setting(seed, generated(make)) {}
+  Setting(unsigned int seed, Make make) : Setting(seed, Generated_mesh::generated(make)) {}
 
   Setting(unsigned int seed, const std::pair<Positions, std::vector<Hexahedron>>& mesh)
     : regular(mesh.first)
@@ -247,22 +105,6 @@ struct Setting
     parameters.penalty_iterations = 1;
     parameters.solver_tolerance = 1e-12;
     parameters.solver_iterations = 100000;
-  }
-
-  template <class Make>
-  static std::pair<Positions, std::vector<Hexahedron>> generated(Make make)
-  {
-    std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-    std::vector<std::array<std::size_t, 8>> hexahedra;
-    make(points, hexahedra);
-    std::pair<Positions, std::vector<Hexahedron>> result;
-    for (const auto& p : points)
-      result.first.emplace_back(p.x(), p.y(), p.z());
-    for (const auto& h : hexahedra) {
-      result.second.emplace_back();
-      std::copy(h.begin(), h.end(), result.second.back().begin());
-    }
-    return result;
   }
 
   // Eq. 5: over directed edges and the triangles of their cones. The cone of an
@@ -404,12 +246,12 @@ struct Setting
   }
 };
 
-Setting block(unsigned int seed)
+Setting tangled_block(unsigned int seed)
 {
   return Setting(seed, [](auto& p, auto& h) { HMO::make_block(p, h, {{3, 2, 2}}, {{3, 2, 2}}); });
 }
 
-Setting cylinder(unsigned int seed)
+Setting tangled_cylinder(unsigned int seed)
 {
   return Setting(seed, [](auto& p, auto& h) { HMO::make_cylinder(p, h, 2, 2, 2., 3.); });
 }
@@ -420,7 +262,7 @@ void for_all_settings(Test test)
   for (unsigned int seed = 0; seed < 3; ++seed)
     for (int variant = 0; variant < 6; ++variant) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", variant " + std::to_string(variant));
-      Setting s = seed == 2 ? cylinder(seed) : block(seed);
+      Setting s = seed == 2 ? tangled_cylinder(seed) : tangled_block(seed);
       std::mt19937 random(seed + 77);
       std::uniform_real_distribution<double> uniform(.1, 3);
       switch (variant) {
@@ -473,7 +315,7 @@ TEST(Global_step, has_the_energy_of_the_paper)
 TEST(Global_step, is_tested_on_every_kind_of_vertex)
 {
   std::map<Vertex_kind, int> kinds;
-  const Setting s = cylinder(2), t = block(0);
+  const Setting s = tangled_cylinder(2), t = tangled_block(0);
   for (const Setting* setting : {&s, &t})
     for (Vertex_kind kind : setting->attachment->kind)
       ++kinds[kind];
@@ -513,7 +355,7 @@ TEST(Global_step, returns_the_energy_it_reached)
 
 TEST(Global_step, agrees_with_a_dense_solver)
 {
-  const Setting s = block(5);
+  const Setting s = tangled_block(5);
   const auto energy = [&](const Positions& p) { return s.energy(p, s.tangled); };
   const std::size_t n = s.tangled.size();
   const Eigen::MatrixXd H = hessian(energy, n);
@@ -565,7 +407,7 @@ TEST(Global_step, reweights_penalties_between_its_iterations)
 
 TEST(Global_step, forgets_what_it_was_set_before)
 {
-  const Setting s = block(1);
+  const Setting s = tangled_block(1);
   const auto step = s.global_step();
   Positions x = s.tangled;
   step->minimize(s.targets, x);
@@ -583,7 +425,7 @@ TEST(Global_step, forgets_what_it_was_set_before)
 
 TEST(Global_step, keeps_a_perfect_mesh)
 {
-  Setting s = block(1);
+  Setting s = tangled_block(1);
   s.cones.update_normals(s.regular);
   s.lengths.assign(s.lengths.size(), 1.0);
   for (std::size_t d = 0; d < s.targets.size(); ++d)
@@ -592,101 +434,6 @@ TEST(Global_step, keeps_a_perfect_mesh)
   const Positions x = s.minimized(s.regular);
   for (std::size_t v = 0; v < x.size(); ++v)
     EXPECT_LT((x[v] - s.regular[v]).norm(), 1e-9);
-}
-
-// --- Target lengths -------------------------------------------------------------
-
-TEST(Target_edge_lengths, minimize_eq_22)
-{
-  for (unsigned int seed = 0; seed < 3; ++seed) {
-    const Setting s = seed == 2 ? cylinder(seed) : block(seed);
-    const std::size_t n = s.complex.edges.size();
-    const auto length = [&](std::size_t e) { return (s.tangled[s.complex.edges[e][0]] - s.tangled[s.complex.edges[e][1]]).norm(); };
-    double mean = 0;
-    std::size_t on_boundary = 0;
-    for (std::size_t e = 0; e < n; ++e)
-      if (s.complex.is_boundary_edge[e]) {
-        mean += length(e);
-        ++on_boundary;
-      }
-    mean /= on_boundary;
-    EXPECT_NEAR(mean_boundary_edge_length(s.complex, s.tangled), mean, 1e-13);
-
-    // eq. 22 as squares of rows of a matrix; its last two sums run over e, so each pair counts twice
-    std::vector<Eigen::VectorXd> rows;
-    std::vector<double> right;
-    for (std::size_t e = 0; e < n; ++e) {
-      rows.push_back(Eigen::VectorXd::Unit(n, e));
-      right.push_back(s.complex.is_boundary_edge[e] ? length(e) : mean);
-    }
-    for (const std::vector<Edge_pair>* pairs : {&s.relations.parallel, &s.relations.consecutive})
-      for (const Edge_pair& p : *pairs)
-        for (int twice = 0; twice < 2; ++twice) {
-          rows.push_back(Eigen::VectorXd::Unit(n, p.first / 2) - Eigen::VectorXd::Unit(n, p.second / 2));
-          right.push_back(0);
-        }
-    Eigen::MatrixXd M(rows.size(), n);
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      M.row(r) = rows[r];
-    const Eigen::VectorXd expected =
-      M.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
-    const std::vector<double> lengths = estimate_edge_lengths(s.complex, s.relations, s.tangled);
-    for (std::size_t e = 0; e < n; ++e)
-      EXPECT_NEAR(lengths[e], expected[e], 1e-4 * mean) << e;
-  }
-}
-
-TEST(Target_edge_lengths, of_equal_edges_are_their_length)
-{
-  Setting s = block(0);
-  for (double l : estimate_edge_lengths(s.complex, s.relations, s.regular))
-    EXPECT_NEAR(l, 1, 1e-12);
-  // whatever the interior looks like
-  for (std::size_t v = 0; v < s.regular.size(); ++v)
-    if (!s.complex.is_on_boundary[v])
-      s.regular[v] = Vector_3(7, 8, 9);
-  for (double l : estimate_edge_lengths(s.complex, s.relations, s.regular))
-    EXPECT_NEAR(l, 1, 1e-12);
-}
-
-TEST(Target_edge_lengths, grow_with_the_mesh)
-{
-  const Setting s = cylinder(0);
-  Positions large = s.tangled;
-  for (Vector_3& p : large)
-    p *= 1024;
-  const std::vector<double> lengths = estimate_edge_lengths(s.complex, s.relations, s.tangled);
-  const std::vector<double> of_large = estimate_edge_lengths(s.complex, s.relations, large);
-  for (std::size_t e = 0; e < lengths.size(); ++e)
-    EXPECT_EQ(of_large[e], 1024 * lengths[e]);
-}
-
-TEST(Target_edge_lengths, are_updated_by_eq_23_and_24)
-{
-  const Setting s = block(4);
-  const double sigma = .15;
-  std::vector<double> quality(s.complex.hexahedra.size(), .4);
-  quality[2] = .1;
-  quality[5] = .2;
-  quality[7] = -.5;
-  quality[9] = 1;
-  std::vector<double> lengths = s.lengths;
-  update_edge_lengths(s.complex, s.tangled, quality, sigma, lengths);
-  std::set<double> seen;
-  for (std::size_t e = 0; e < lengths.size(); ++e) {
-    double q = std::numeric_limits<double>::infinity();
-    for (std::size_t h = 0; h < s.complex.hexahedra.size(); ++h)
-      for (const auto& local : hexahedron_edges) {
-        const int a = s.complex.hexahedra[h][local[0]], b = s.complex.hexahedra[h][local[1]];
-        if ((std::min)(a, b) == s.complex.edges[e][0] && (std::max)(a, b) == s.complex.edges[e][1])
-          q = (std::min)(q, quality[h]);
-      }
-    seen.insert(q);
-    const double reached = (s.tangled[s.complex.edges[e][0]] - s.tangled[s.complex.edges[e][1]]).norm();
-    const double w = q <= 0 ? 1 : std::exp(-.5 * std::pow(q / sigma, 2)); // an inverted one is as poor as can be
-    EXPECT_NEAR(lengths[e], (1 - w) * s.lengths[e] + w * reached, 1e-13) << e;
-  }
-  EXPECT_GE(seen.size(), 4u);
 }
 
 } // namespace

@@ -1,24 +1,26 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Feature curves and corners of simple solids, and the vertices of a mesh that
-// are attached to them.
+// Feature curves and corners of simple solids, and of given edges on flat surfaces.
 
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
-#include <CGAL/Simple_cartesian.h>
+
+#include "../Generated_mesh.h"
+#include "../reference_checks.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <cstddef>
 #include <map>
-#include <memory>
 #include <random>
 #include <set>
 #include <utility>
@@ -29,44 +31,6 @@ namespace {
 namespace HMO = CGAL::Hex_mesh_optimization;
 using namespace CGAL::Hex_mesh_optimization::internal;
 
-struct Mesh
-{
-  Positions points;
-  Hexahedral_complex complex;
-
-  template <class Make>
-  explicit Mesh(Make make) : Mesh(generated(make)) {}
-
-  explicit Mesh(const std::pair<Positions, std::vector<Hexahedron>>& mesh)
-    : points(mesh.first), complex(points.size(), mesh.second)
-  {}
-
-  template <class Make>
-  static std::pair<Positions, std::vector<Hexahedron>> generated(Make make)
-  {
-    std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-    std::vector<std::array<std::size_t, 8>> hexahedra;
-    make(points, hexahedra);
-    std::pair<Positions, std::vector<Hexahedron>> result;
-    for (const auto& p : points)
-      result.first.emplace_back(p.x(), p.y(), p.z());
-    for (const auto& h : hexahedra) {
-      result.second.emplace_back();
-      std::copy(h.begin(), h.end(), result.second.back().begin());
-    }
-    return result;
-  }
-
-  std::unique_ptr<Reference_surface> own_reference(double angle_bound = 45) const
-  {
-    return boundary_as_reference(complex, points, Feature_parameters{angle_bound});
-  }
-};
-
-Mesh block(std::size_t n) { return Mesh([&](auto& p, auto& h) { HMO::make_block(p, h, {{n, n, n}}); }); }
-Mesh cylinder(std::size_t n) { return Mesh([&](auto& p, auto& h) { HMO::make_cylinder(p, h, n, n); }); }
-Mesh l_shape(std::size_t n) { return Mesh([&](auto& p, auto& h) { HMO::make_l_shape(p, h, n); }); }
-
 std::map<Vertex_kind, int> count(const Boundary_attachment& attachment)
 {
   std::map<Vertex_kind, int> result;
@@ -75,43 +39,10 @@ std::map<Vertex_kind, int> count(const Boundary_attachment& attachment)
   return result;
 }
 
-// How many coordinates of a point of the unit cube are 0 or 1
-int extreme_coordinates(const Vector_3& p)
-{
-  int result = 0;
-  for (int d = 0; d < 3; ++d)
-    result += std::abs(p[d]) < 1e-9 || std::abs(p[d] - 1) < 1e-9;
-  return result;
-}
-
-void expect_sound(const Reference_surface& surface)
-{
-  const std::set<int> corners(surface.corners.begin(), surface.corners.end());
-  EXPECT_EQ(corners.size(), surface.corners.size());
-  std::set<std::pair<int, int>> edges;
-  for (const auto& curve : surface.curves) {
-    ASSERT_GE(curve->vertices.size(), 2u);
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < curve->vertices.size(); ++i) {
-      const int a = curve->vertices[i], b = curve->vertices[i + 1];
-      EXPECT_TRUE(edges.insert(std::minmax(a, b)).second) << "an edge on two curves";
-      length += (surface.points[a] - surface.points[b]).norm();
-      if (i > 0) {
-        EXPECT_EQ(corners.count(a), 0u) << "a curve runs through a corner";
-      }
-    }
-    EXPECT_NEAR(curve->length, length, 1e-12 * length);
-    if (!curve->is_closed()) {
-      EXPECT_EQ(corners.count(curve->vertices.front()), 1u);
-      EXPECT_EQ(corners.count(curve->vertices.back()), 1u);
-    }
-  }
-}
-
 TEST(Feature_curves, of_a_cube_are_its_edges)
 {
   for (std::size_t n : {1, 2, 5}) {
-    const Mesh mesh = block(n);
+    const Generated_mesh mesh = block(n);
     const auto surface = mesh.own_reference();
     expect_sound(*surface);
     EXPECT_EQ(surface->curves.size(), 12u);
@@ -141,7 +72,7 @@ TEST(Feature_curves, of_a_cube_are_its_edges)
 
 TEST(Feature_curves, of_a_cylinder_are_its_rims)
 {
-  const Mesh mesh = cylinder(4);
+  const Generated_mesh mesh = cylinder(4);
   const auto surface = mesh.own_reference();
   expect_sound(*surface);
   ASSERT_EQ(surface->curves.size(), 2u);
@@ -158,7 +89,7 @@ TEST(Feature_curves, of_a_cylinder_are_its_rims)
 
 TEST(Feature_curves, of_an_l_include_the_reentrant_edge)
 {
-  const Mesh mesh = l_shape(2);
+  const Generated_mesh mesh = l_shape(2);
   const auto surface = mesh.own_reference();
   expect_sound(*surface);
   EXPECT_EQ(surface->curves.size(), 18u); // 6 upright, 6 around either end
@@ -173,7 +104,7 @@ TEST(Feature_curves, of_an_l_include_the_reentrant_edge)
 
 TEST(Feature_curves, of_a_ball_are_none)
 {
-  const Mesh mesh([](auto& p, auto& h) { HMO::make_ball(p, h, 4); });
+  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_ball(p, h, 4); });
   const auto surface = mesh.own_reference();
   EXPECT_EQ(surface->curves.size(), 0u);
   EXPECT_EQ(surface->corners.size(), 0u);
@@ -181,15 +112,13 @@ TEST(Feature_curves, of_a_ball_are_none)
 
 TEST(Feature_curves, depend_on_the_angle_bound)
 {
-  const Mesh mesh([](auto& p, auto& h) { HMO::make_ring(p, h, 7, 2); }); // a heptagonal prism: 51.4 degrees
+  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_ring(p, h, 7, 2); }); // a heptagonal prism: 51.4 degrees
   EXPECT_EQ(mesh.own_reference(45)->corners.size(), 28u);
   EXPECT_EQ(mesh.own_reference(45)->curves.size(), 42u);
   EXPECT_EQ(mesh.own_reference(70)->corners.size(), 0u);
   EXPECT_EQ(mesh.own_reference(70)->curves.size(), 4u);
   EXPECT_EQ(mesh.own_reference(100)->curves.size(), 0u);
 }
-
-// --- Tracing of given edges on flat surfaces -----------------------------------------
 
 using Points_on_surface = std::vector<int>; // one after the other
 
@@ -502,140 +431,6 @@ TEST(Feature_curve_tracer, finds_the_same_edges_in_any_order)
         std::swap(e[0], e[1]);
     EXPECT_EQ(found(), expected);
   }
-}
-
-// --- Attachment to a reference with other triangles --------------------------------
-
-struct Reference
-{
-  Positions points;
-  std::vector<Triangle_indices> triangles;
-
-  // The boundary of another mesh of the same solid, each quad split the other way
-  static Reference of(const Mesh& mesh)
-  {
-    Reference result;
-    std::map<int, int> number;
-    const auto vertex = [&](int v) {
-      const auto inserted = number.emplace(v, static_cast<int>(result.points.size()));
-      if (inserted.second)
-        result.points.push_back(mesh.points[v]);
-      return inserted.first->second;
-    };
-    for (const auto& face : mesh.complex.boundary_faces) {
-      const std::array<int, 4>& q = face.vertices;
-      result.triangles.push_back({vertex(q[1]), vertex(q[2]), vertex(q[3])});
-      result.triangles.push_back({vertex(q[1]), vertex(q[3]), vertex(q[0])});
-    }
-    return result;
-  }
-
-  std::unique_ptr<Reference_surface> traced() const
-  {
-    return std::make_unique<Reference_surface>(points, triangles, sharp_edges(points, triangles, 45), false, Feature_parameters());
-  }
-};
-
-TEST(Attachment_by_matching, puts_the_vertices_of_a_cube_on_another_cube)
-{
-  const Mesh mesh = block(4);
-  for (std::size_t n : {1, 3, 7}) {
-    SCOPED_TRACE(n);
-    const auto surface = Reference::of(block(n)).traced();
-    expect_sound(*surface);
-    ASSERT_EQ(surface->curves.size(), 12u);
-    ASSERT_EQ(surface->corners.size(), 8u);
-    const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
-    const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE, Vertex_kind::CORNER};
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      const Vector_3& p = mesh.points[v];
-      EXPECT_EQ(attachment.kind[v], kinds[extreme_coordinates(p)]) << v;
-      if (attachment.kind[v] == Vertex_kind::CORNER) {
-        EXPECT_LT((attachment.corner[v] - p).norm(), 1e-12);
-      }
-      if (attachment.kind[v] == Vertex_kind::FEATURE) {
-        const Curve_point q = surface->curves[attachment.curve[v]]->closest_point(p);
-        EXPECT_LT((q.point - p).norm(), 1e-12);
-        EXPECT_NEAR(q.tangent.norm(), 1, 1e-12);
-      }
-    }
-  }
-}
-
-// Vertices of the mesh near, not on, the cube
-TEST(Attachment_by_matching, tolerates_a_mesh_off_the_surface)
-{
-  const Mesh mesh = block(5);
-  Positions points = mesh.points;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] += .04 * Vector_3(std::sin(3. * v), std::sin(5. * v + 1), std::sin(7. * v + 2));
-  const auto surface = Reference::of(block(3)).traced();
-  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, points, *surface).attachment;
-  const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE, Vertex_kind::CORNER};
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    EXPECT_EQ(attachment.kind[v], kinds[extreme_coordinates(mesh.points[v])]) << v;
-    if (attachment.kind[v] == Vertex_kind::CORNER) {
-      EXPECT_LT((attachment.corner[v] - mesh.points[v]).norm(), 1e-12);
-    }
-    if (attachment.kind[v] == Vertex_kind::FEATURE) {
-      const Curve_point q = surface->curves[attachment.curve[v]]->closest_point(mesh.points[v]);
-      EXPECT_LT((q.point - mesh.points[v]).norm(), 1e-12);
-    }
-  }
-}
-
-TEST(Attachment_by_matching, follows_closed_curves)
-{
-  const Mesh mesh = cylinder(4);
-  for (std::size_t n : {3, 6}) {
-    SCOPED_TRACE(n);
-    const auto surface = Reference::of(cylinder(n)).traced();
-    ASSERT_EQ(surface->curves.size(), 2u);
-    const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      const Vector_3& p = mesh.points[v];
-      const bool on_rim = std::abs(p.head<2>().norm() - 1) < 1e-9 && (std::abs(p[2]) < 1e-9 || std::abs(p[2] - 2) < 1e-9);
-      EXPECT_EQ(attachment.kind[v] == Vertex_kind::FEATURE, on_rim) << v;
-      if (attachment.kind[v] == Vertex_kind::FEATURE) {
-        EXPECT_NEAR(surface->curves[attachment.curve[v]]->closest_point(p).point[2], p[2], 1e-9);
-      }
-    }
-  }
-}
-
-TEST(Attachment_by_matching, of_an_l_keeps_the_reentrant_edge)
-{
-  const Mesh mesh = l_shape(3);
-  const auto surface = Reference::of(l_shape(2)).traced();
-  const auto own = attach_to_own_boundary(mesh.complex, *mesh.own_reference());
-  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
-  EXPECT_EQ(attachment.kind, own.kind);
-}
-
-// A mesh of half the cube must not reach for the features of the other half
-TEST(Attachment_by_matching, leaves_features_alone_that_are_far_away)
-{
-  const Mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{2, 4, 4}}, {{.5, 1, 1}}); });
-  const auto surface = Reference::of(block(3)).traced();
-  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (attachment.kind[v] == Vertex_kind::CORNER) {
-      EXPECT_LT((attachment.corner[v] - mesh.points[v]).norm(), 1e-12);
-    }
-    if (attachment.kind[v] == Vertex_kind::FEATURE) {
-      const Curve_point q = surface->curves[attachment.curve[v]]->closest_point(mesh.points[v]);
-      EXPECT_LT((q.point - mesh.points[v]).norm(), 1e-12);
-    }
-  }
-}
-
-TEST(Attachment, of_unused_vertices_is_none)
-{
-  const Mesh mesh = block(2);
-  Positions points = mesh.points;
-  points.emplace_back(5, 5, 5);
-  const Hexahedral_complex complex(points.size(), mesh.complex.hexahedra);
-  EXPECT_EQ(Boundary_attachment(complex).kind.back(), Vertex_kind::FIXED);
 }
 
 } // namespace

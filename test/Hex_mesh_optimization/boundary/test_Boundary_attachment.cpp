@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The vertices of a mesh that are attached to corners, curves and faces of a reference.
+
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
+
+#include "../Generated_mesh.h"
+#include "../reference_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+struct Reference
+{
+  Positions points;
+  std::vector<Triangle_indices> triangles;
+
+  // The boundary of another mesh of the same solid, each quad split the other way
+  static Reference of(const Generated_mesh& mesh)
+  {
+    Reference result;
+    std::map<int, int> number;
+    const auto vertex = [&](int v) {
+      const auto inserted = number.emplace(v, static_cast<int>(result.points.size()));
+      if (inserted.second)
+        result.points.push_back(mesh.points[v]);
+      return inserted.first->second;
+    };
+    for (const auto& face : mesh.complex.boundary_faces) {
+      const std::array<int, 4>& q = face.vertices;
+      result.triangles.push_back({vertex(q[1]), vertex(q[2]), vertex(q[3])});
+      result.triangles.push_back({vertex(q[1]), vertex(q[3]), vertex(q[0])});
+    }
+    return result;
+  }
+
+  std::unique_ptr<Reference_surface> traced() const
+  {
+    return std::make_unique<Reference_surface>(points, triangles, sharp_edges(points, triangles, 45), false, Feature_parameters());
+  }
+};
+
+TEST(Boundary_attachment_by_matching, puts_the_vertices_of_a_cube_on_another_cube)
+{
+  const Generated_mesh mesh = block(4);
+  for (std::size_t n : {1, 3, 7}) {
+    SCOPED_TRACE(n);
+    const auto surface = Reference::of(block(n)).traced();
+    expect_sound(*surface);
+    ASSERT_EQ(surface->curves.size(), 12u);
+    ASSERT_EQ(surface->corners.size(), 8u);
+    const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
+    const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE, Vertex_kind::CORNER};
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const Vector_3& p = mesh.points[v];
+      EXPECT_EQ(attachment.kind[v], kinds[extreme_coordinates(p)]) << v;
+      if (attachment.kind[v] == Vertex_kind::CORNER) {
+        EXPECT_LT((attachment.corner[v] - p).norm(), 1e-12);
+      }
+      if (attachment.kind[v] == Vertex_kind::FEATURE) {
+        const Curve_point q = surface->curves[attachment.curve[v]]->closest_point(p);
+        EXPECT_LT((q.point - p).norm(), 1e-12);
+        EXPECT_NEAR(q.tangent.norm(), 1, 1e-12);
+      }
+    }
+  }
+}
+
+// Vertices of the mesh near, not on, the cube
+TEST(Boundary_attachment_by_matching, tolerates_a_mesh_off_the_surface)
+{
+  const Generated_mesh mesh = block(5);
+  Positions points = mesh.points;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] += .04 * Vector_3(std::sin(3. * v), std::sin(5. * v + 1), std::sin(7. * v + 2));
+  const auto surface = Reference::of(block(3)).traced();
+  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, points, *surface).attachment;
+  const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE, Vertex_kind::CORNER};
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    EXPECT_EQ(attachment.kind[v], kinds[extreme_coordinates(mesh.points[v])]) << v;
+    if (attachment.kind[v] == Vertex_kind::CORNER) {
+      EXPECT_LT((attachment.corner[v] - mesh.points[v]).norm(), 1e-12);
+    }
+    if (attachment.kind[v] == Vertex_kind::FEATURE) {
+      const Curve_point q = surface->curves[attachment.curve[v]]->closest_point(mesh.points[v]);
+      EXPECT_LT((q.point - mesh.points[v]).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(Boundary_attachment_by_matching, follows_closed_curves)
+{
+  const Generated_mesh mesh = cylinder(4);
+  for (std::size_t n : {3, 6}) {
+    SCOPED_TRACE(n);
+    const auto surface = Reference::of(cylinder(n)).traced();
+    ASSERT_EQ(surface->curves.size(), 2u);
+    const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const Vector_3& p = mesh.points[v];
+      const bool on_rim = std::abs(p.head<2>().norm() - 1) < 1e-9 && (std::abs(p[2]) < 1e-9 || std::abs(p[2] - 2) < 1e-9);
+      EXPECT_EQ(attachment.kind[v] == Vertex_kind::FEATURE, on_rim) << v;
+      if (attachment.kind[v] == Vertex_kind::FEATURE) {
+        EXPECT_NEAR(surface->curves[attachment.curve[v]]->closest_point(p).point[2], p[2], 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Boundary_attachment_by_matching, of_an_l_keeps_the_reentrant_edge)
+{
+  const Generated_mesh mesh = l_shape(3);
+  const auto surface = Reference::of(l_shape(2)).traced();
+  const auto own = attach_to_own_boundary(mesh.complex, *mesh.own_reference());
+  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
+  EXPECT_EQ(attachment.kind, own.kind);
+}
+
+// A mesh of half the cube must not reach for the features of the other half
+TEST(Boundary_attachment_by_matching, leaves_features_alone_that_are_far_away)
+{
+  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{2, 4, 4}}, {{.5, 1, 1}}); });
+  const auto surface = Reference::of(block(3)).traced();
+  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (attachment.kind[v] == Vertex_kind::CORNER) {
+      EXPECT_LT((attachment.corner[v] - mesh.points[v]).norm(), 1e-12);
+    }
+    if (attachment.kind[v] == Vertex_kind::FEATURE) {
+      const Curve_point q = surface->curves[attachment.curve[v]]->closest_point(mesh.points[v]);
+      EXPECT_LT((q.point - mesh.points[v]).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(Boundary_attachment, of_unused_vertices_is_none)
+{
+  const Generated_mesh mesh = block(2);
+  Positions points = mesh.points;
+  points.emplace_back(5, 5, 5);
+  const Hexahedral_complex complex(points.size(), mesh.complex.hexahedra);
+  EXPECT_EQ(Boundary_attachment(complex).kind.back(), Vertex_kind::FIXED);
+}
+
+} // namespace

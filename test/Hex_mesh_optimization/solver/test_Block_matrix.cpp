@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The sparse matrix with a block a pair of vertices against a dense one.
+
+#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+
+#include "../mesh_families.h"
+#include "../random_positions.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+// As many rows as take several sweeps at once.
+TEST(Block_matrix, solves_large_systems_the_same_whatever_the_number_of_threads)
+{
+  std::mt19937 random(8);
+  Indexed_mesh block;
+  HMO::make_block(block.points, block.hexahedra, {{14, 13, 12}}, {{1, 1, 1}});
+  const Hexahedral_complex complex = block.complex();
+  const int n = static_cast<int>(complex.number_of_vertices());
+  Block_matrix matrix(vertex_couplings(complex));
+  matrix.set_zero();
+  for (const Hexahedron& h : complex.hexahedra)
+    for (int k = 0; k < 12; ++k) {
+      const int v = h[hexahedron_edges[k][0]], u = h[hexahedron_edges[k][1]];
+      matrix.add(v, v, Matrix_3::Identity());
+      matrix.add(u, u, Matrix_3::Identity());
+      matrix.add(v, u, -Matrix_3::Identity());
+    }
+  std::vector<char> is_fixed(n, false);
+  is_fixed[0] = true; // else all could move by the same vector
+  Positions x, b(n, Vector_3::Zero()), solution, in_parallel;
+  for (int v = 0; v < n; ++v)
+    x.push_back(is_fixed[v] ? Vector_3(Vector_3::Zero()) : random_vector(random, 1));
+  for (const Hexahedron& h : complex.hexahedra)
+    for (int k = 0; k < 12; ++k) {
+      const int v = h[hexahedron_edges[k][0]], u = h[hexahedron_edges[k][1]];
+      b[v] += x[v] - x[u];
+      b[u] += x[u] - x[v];
+    }
+  int iterations = 0;
+  run_concurrently(false, [&] { iterations = matrix.solve(b, is_fixed, 1e-6, 1000, solution); });
+  run_concurrently(true, [&] { matrix.solve(b, is_fixed, 1e-6, 1000, in_parallel); });
+  EXPECT_LT(iterations, 60); // rather than in proportion to the number of rows
+  EXPECT_EQ(solution, in_parallel);
+  for (int v = 0; v < n; ++v)
+    EXPECT_LT((solution[v] - x[v]).norm(), 1e-3);
+}
+
+} // namespace

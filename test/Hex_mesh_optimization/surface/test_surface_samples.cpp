@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Samples of a surface: as dense as they should be on one of the size of the mesh, and not more than in proportion to
+// the mesh on one of any other size.
+
+#include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+
+#include "Cube_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+std::size_t largest_number(const Surface& surface)
+{
+  return surface.points.size() + 2 * surface.triangles.size() + std::size_t(16 * number_of_faces / (spacing * spacing));
+}
+
+double area(const std::vector<Surface_sample>& samples)
+{
+  double sum = 0;
+  for (const Surface_sample& s : samples)
+    sum += s.area;
+  return sum;
+}
+
+TEST(Surface_samples, are_as_dense_as_asked_for_on_a_surface_of_the_size_of_the_mesh)
+{
+  for (double scale : {.01, 1., 1.9}) {
+    const Surface surface(scale);
+    std::vector<char> seen(surface.points.size(), false);
+    for (const Surface_sample& s : surface.samples()) {
+      EXPECT_LE(s.area, spacing * spacing / 4 * (1 + 1e-9)); // a right triangle with that hypotenuse
+      if (s.vertex >= 0)
+        seen[s.vertex] = true;
+    }
+    EXPECT_EQ(seen, std::vector<char>(surface.points.size(), true));
+    EXPECT_NEAR(area(surface.samples()), 54 * scale * scale, 1e-9);
+  }
+}
+
+TEST(Surface_samples, of_an_oversized_surface_are_in_proportion_to_the_mesh)
+{
+  for (double scale : {2.5, 10., 1e3, 1e10, 1e50}) {
+    const Surface surface(scale);
+    const std::vector<Surface_sample> samples = surface.samples();
+    EXPECT_LE(samples.size(), largest_number(surface)) << scale;
+    EXPECT_GE(samples.size(), 8 * number_of_faces) << scale;
+    EXPECT_NEAR(area(samples) / (54 * scale * scale), 1, 1e-9) << scale;
+  }
+}
+
+TEST(Surface_samples, of_a_surface_beyond_the_range_of_areas_are_its_vertices_and_triangles)
+{
+  const Surface surface(1e200);
+  EXPECT_EQ(surface.samples().size(), surface.points.size() + surface.triangles.size());
+}
+
+TEST(Surface_samples, of_long_needles_are_in_proportion_to_the_mesh)
+{
+  for (double length : {1e3, 1e6, 1e100}) {
+    Surface surface(1);
+    surface.points.front().y() -= length;
+    surface.points.back().x() += length;
+    const std::vector<Surface_sample> samples = surface.samples();
+    EXPECT_LE(samples.size(), largest_number(surface)) << length;
+    for (const Surface_sample& s : samples)
+      EXPECT_TRUE(s.point.allFinite());
+  }
+}
+
+} // namespace
