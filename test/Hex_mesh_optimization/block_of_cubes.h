@@ -6,6 +6,7 @@
 
 // Unit cubes on a lattice, small enough to count by hand.
 
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <vector>

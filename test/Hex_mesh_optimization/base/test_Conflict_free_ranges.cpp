@@ -4,7 +4,6 @@
 // Elements that share a vertex are never visited at the same time, nor in another order.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Conflict_free_ranges.h>
-#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include "../block_of_cubes.h"

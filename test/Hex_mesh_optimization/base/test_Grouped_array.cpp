@@ -4,7 +4,6 @@
 // What belongs to each group, in order.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
-#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
 
 #include "../Attached_mesh.h"
 #include "../mesh_families.h"

@@ -5,8 +5,6 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
-#include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 
 #include <gtest/gtest.h>

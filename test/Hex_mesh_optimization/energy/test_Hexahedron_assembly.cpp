@@ -7,12 +7,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
-#include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
 #include "../Corner.h"

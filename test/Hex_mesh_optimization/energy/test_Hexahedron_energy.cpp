@@ -10,7 +10,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_floor.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>

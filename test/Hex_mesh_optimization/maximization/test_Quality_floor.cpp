@@ -4,10 +4,8 @@
 // The floor that corners are held above: when it rises and fades, and whom it lifts.
 
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_floor.h>
-#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 

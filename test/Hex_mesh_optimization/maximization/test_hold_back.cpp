@@ -4,13 +4,8 @@
 // A step is shortened where corners would get too poor, and nowhere else.
 
 #include <CGAL/Hex_mesh_optimization/internal/maximization/hold_back.h>
-#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_floor.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
-#include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 
 #include "../Corner.h"
 #include "../mesh_families.h"

@@ -4,7 +4,6 @@
 // Parallel and consecutive edges of meshes small enough to count by hand.
 
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
-#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
-#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
 
 #include "../block_of_cubes.h"

@@ -4,7 +4,6 @@
 // The order in memory brings neighbors together, and everything back to where it was.
 
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
-#include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include "../block_of_cubes.h"

@@ -4,9 +4,6 @@
 // Untangling moves what is near inverted corners, and nothing else.
 
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
-#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Named parameters reach the engine, defaults stay what they are, and values that cannot be used are refused by name.
+
+#include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace params = CGAL::parameters;
+
+const std::vector<std::size_t> keys = {10, 11, 12};
+
+TEST(Named_parameters, left_out_are_the_defaults)
+{
+  const Optimization_parameters given = optimization_parameters(params::default_values(), keys), expected;
+  EXPECT_EQ(given.method, expected.method);
+  EXPECT_EQ(given.fixed_boundary, expected.fixed_boundary);
+  EXPECT_EQ(given.target_quality, expected.target_quality);
+  EXPECT_EQ(given.maximum_deviation, expected.maximum_deviation);
+  EXPECT_EQ(given.features.angle_bound, expected.features.angle_bound);
+  EXPECT_EQ(given.rectification.iterations, expected.rectification.iterations);
+  EXPECT_FALSE(given.on_iteration);
+  EXPECT_FALSE(given.target_length);
+  EXPECT_EQ(frozen_vertices(params::default_values(), keys), std::vector<char>(3, false));
+}
+
+TEST(Named_parameters, that_are_given_reach_the_engine)
+{
+  const Optimization_parameters p = optimization_parameters(
+    params::fixed_boundary(true).target_quality(.4).maximum_deviation(.5).maximum_running_time(6)
+      .features_angle_bound(70).number_of_iterations(8).surface_weight(9), keys);
+  EXPECT_TRUE(p.fixed_boundary);
+  EXPECT_EQ(p.target_quality, .4);
+  EXPECT_EQ(p.maximum_deviation, .5);
+  EXPECT_EQ(p.maximum_running_time, 6);
+  EXPECT_EQ(p.features.angle_bound, 70);
+  EXPECT_EQ(p.rectification.iterations, 8u);
+  EXPECT_EQ(p.rectification.surface_weight, 9);
+}
+
+template <class NamedParameters>
+void expect_refused(const NamedParameters& np, const std::string& name)
+{
+  try {
+    optimization_parameters(np, keys);
+    ADD_FAILURE() << "nothing was thrown for " << name;
+  }
+  catch (const HMO::Input_error& error) {
+    EXPECT_EQ(error.element(), HMO::Input_error::Element::PARAMETER);
+    EXPECT_NE(error.message().find(name), std::string::npos) << error.message();
+  }
+}
+
+TEST(Named_parameters, without_a_usable_value_are_refused)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  expect_refused(params::target_quality(nan), "target_quality");
+  for (const double bad : {0., -1., nan}) {
+    expect_refused(params::maximum_deviation(bad), "maximum_deviation");
+    expect_refused(params::surface_weight(bad), "surface_weight");
+  }
+  expect_refused(params::surface_weight(infinity), "surface_weight");
+  expect_refused(params::maximum_running_time(-1), "maximum_running_time");
+  expect_refused(params::features_angle_bound(181), "features_angle_bound");
+}
+
+struct Length_map
+{
+  using key_type = std::pair<std::size_t, std::size_t>;
+  friend double get(const Length_map&, const key_type& edge) { return double(edge.first) + double(edge.second) / 100; }
+};
+
+struct Is_even
+{
+  friend bool get(const Is_even&, std::size_t key) { return key % 2 == 0; }
+};
+
+TEST(Named_parameters, that_are_maps_are_asked_by_the_keys_of_the_caller)
+{
+  const Optimization_parameters p = optimization_parameters(params::target_edge_length_map(Length_map()), keys);
+  EXPECT_EQ(p.target_length(2, 0), 12.1);
+  EXPECT_EQ(frozen_vertices(params::vertex_is_constrained_map(Is_even()), keys), (std::vector<char>{true, false, true}));
+}
+
+struct Counting_visitor
+{
+  std::size_t calls = 0;
+  bool on_iteration(const HMO::Iteration&) { return ++calls < 2; }
+};
+
+TEST(Named_parameters, with_a_visitor_ask_it_whether_to_go_on)
+{
+  Counting_visitor visitor;
+  const HMO::Iteration iteration{};
+  const Optimization_parameters copied = optimization_parameters(params::visitor(visitor), keys);
+  EXPECT_TRUE(copied.on_iteration(iteration));
+  EXPECT_FALSE(copied.on_iteration(iteration));
+  EXPECT_EQ(visitor.calls, 0u) << "a visitor by value is copied";
+  EXPECT_TRUE(optimization_parameters(params::visitor(std::ref(visitor)), keys).on_iteration(iteration));
+  EXPECT_EQ(visitor.calls, 1u);
+}
+
+} // namespace
