@@ -107,7 +107,7 @@ void energy_derivatives(benchmark::State& state)
   const Hexahedral_complex complex = mesh.complex();
   const Hexahedron_batches batches(complex);
   const Positions points = mesh.positions();
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   Lanes inverse_targets[12], floor[8] = {};
   std::fill_n(inverse_targets, 12, Lanes{} + 1.f);
   for (auto _ : state)

@@ -7,7 +7,10 @@
 // A mesh with all that its energies need, attached to its own boundary.
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
@@ -17,6 +20,7 @@
 #include "random_positions.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <random>
 #include <vector>
@@ -34,7 +38,8 @@ struct Attached_mesh
   Edge_relations relations;
   std::vector<double> lengths;
   std::vector<char> is_fixed;
-  Maximization_parameters parameters;
+  double maximum_deviation = std::numeric_limits<double>::infinity();
+  Boundary_parameters boundary;
 
   explicit Attached_mesh(const Indexed_mesh& mesh)
     : complex(mesh.complex())
@@ -59,10 +64,12 @@ struct Attached_mesh
         points[v] += random_vector(random, amplitude);
   }
 
-  Surface_attachment surface_attachment() const
+  Boundary_samples samples() const
   {
-    return Surface_attachment(complex, *surface, attachment, lengths, false, parameters);
+    return Boundary_samples(complex, boundary_surface_faces(complex), *surface, attachment, lengths, maximum_deviation, boundary.samples);
   }
+
+  Distance_energy distance() const { return boundary_distance_energy(*surface, false, boundary); }
 
 private:
   static Positions normalized(const Hexahedral_complex& complex, Positions points)

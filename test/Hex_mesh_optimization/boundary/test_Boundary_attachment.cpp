@@ -4,6 +4,7 @@
 // The vertices of a mesh that are attached to corners, curves and faces of a reference.
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Attachment_by_matching.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/vertex_couplings.h>
 
 #include "../Attached_mesh.h"
 #include "../mesh_families.h"
@@ -29,23 +29,24 @@ class Boundary_energy_of_families : public ::testing::TestWithParam<Mesh_family>
 INSTANTIATE_TEST_SUITE_P(Families, Boundary_energy_of_families, ::testing::ValuesIn(mesh_families()), Family_name());
 
 // Targets stay where they were found
-TEST_P(Boundary_energy_of_families, attachment_has_the_gradient_of_its_energy)
+TEST_P(Boundary_energy_of_families, has_the_gradient_of_its_value)
 {
   std::mt19937 random(6);
   for (double bound : {std::numeric_limits<double>::infinity(), .05}) {
     Attached_mesh s(GetParam()());
-    s.parameters.maximum_deviation = bound;
-    Surface_attachment attachment = s.surface_attachment();
-    attachment.tightness = .3;
+    s.maximum_deviation = bound;
+    Boundary_samples samples = s.samples();
+    Boundary_energy energy(samples, s.distance(), s.points.size());
+    energy.tightness = .3;
     s.scramble(random, .1, true);
     for (int round = 0; round < 2; ++round) {
-      attachment.update(s.points);
+      samples.update(s.points);
       s.scramble(random, .02, true);
     }
     Positions gradient(s.points.size(), Vector_3::Zero());
     Block_matrix matrix(vertex_couplings(s.complex));
     matrix.set_zero();
-    attachment.add_derivatives(s.points, gradient, matrix);
+    energy.add_derivatives(s.points, gradient, matrix);
     double largest = 0;
     for (const Vector_3& g : gradient)
       largest = (std::max)(largest, g.norm());
@@ -68,24 +69,25 @@ TEST_P(Boundary_energy_of_families, attachment_has_the_gradient_of_its_energy)
         slope += gradient[v].dot(d);
         size += gradient[v].norm() * d.norm();
       }
-      EXPECT_NEAR((attachment.energy(plus) - attachment.energy(minus)) / (2 * h), slope, 1e-6 * size);
+      EXPECT_NEAR((energy.value(plus) - energy.value(minus)) / (2 * h), slope, 1e-6 * size);
     }
   }
 }
 
-TEST_P(Boundary_energy_of_families, attachment_is_at_rest_on_the_reference)
+TEST_P(Boundary_energy_of_families, is_at_rest_on_the_reference)
 {
   const Attached_mesh s(GetParam()());
-  Surface_attachment attachment = s.surface_attachment();
-  attachment.update(s.points);
-  EXPECT_LT(attachment.largest_distance(s.points), .1); // not 0: the center of a quad may lie off both its triangles
-  const double at_rest = attachment.energy(s.points);
+  Boundary_samples samples = s.samples();
+  const Boundary_energy energy(samples, s.distance(), s.points.size());
+  samples.update(s.points);
+  EXPECT_LT(samples.largest_distance(s.points), .1); // not 0: the center of a quad may lie off both its triangles
+  const double at_rest = energy.value(s.points);
   Positions moved = s.points;
   for (Vector_3& p : moved)
     p += Vector_3(.5, .5, .5);
-  attachment.update(moved);
-  EXPECT_GT(attachment.energy(moved), 100 * at_rest);
-  EXPECT_GT(attachment.largest_distance(moved), .3);
+  samples.update(moved);
+  EXPECT_GT(energy.value(moved), 100 * at_rest);
+  EXPECT_GT(samples.largest_distance(moved), .3);
 }
 
 } // namespace

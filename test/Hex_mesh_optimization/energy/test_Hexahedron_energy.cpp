@@ -159,7 +159,7 @@ void for_random_elements(int trials, const Test& test)
 
 TEST(Hexahedron_energy, has_the_gradient_of_its_value)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   for_random_elements(400, [&](const Element& e, std::mt19937&) {
     const Corners g = e.gradient(energy);
     double square = 0, error = 0;
@@ -180,7 +180,7 @@ TEST(Hexahedron_energy, has_the_gradient_of_its_value)
 
 TEST(Hexahedron_energy, has_a_model_of_the_hessian_without_negative_curvature)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   for_random_elements(400, [&](const Element& e, std::mt19937&) {
     const Eigen::Matrix<double, 24, 24> A = e.hessian(energy);
     ASSERT_TRUE(A.allFinite());
@@ -201,7 +201,7 @@ TEST(Hexahedron_energy, has_a_model_of_the_hessian_without_negative_curvature)
 // What the optimization computes with, several hexahedra at once in single precision
 TEST(Hexahedron_energy, is_the_same_for_several_hexahedra_at_once)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   std::vector<Element> elements;
   for_random_elements(101, [&](const Element& e, std::mt19937&) { elements.push_back(e); });
   ASSERT_EQ(elements.size(), 101u);
@@ -248,7 +248,7 @@ TEST(Hexahedron_energy, is_the_same_for_several_hexahedra_at_once)
 // Where the model has the most to do: a corner that is all but flat
 TEST(Hexahedron_energy, has_a_model_of_the_hessian_next_to_inversion)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   for (double height : {1e-1, 1e-3, 1e-6}) {
     SCOPED_TRACE(height);
     Element e{box(Vector_3(1, 1, 1)), {}, {}};
@@ -266,7 +266,7 @@ TEST(Hexahedron_energy, has_a_model_of_the_hessian_next_to_inversion)
 
 TEST(Hexahedron_energy, is_infinite_where_a_corner_is_inverted)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   std::mt19937 random(3);
   int inverted = 0;
   for (int trial = 0; trial < 1000; ++trial) {
@@ -293,7 +293,7 @@ TEST(Hexahedron_energy, is_infinite_where_a_corner_is_inverted)
 
 TEST(Hexahedron_energy, does_not_depend_on_place_and_unit_of_length)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   for_random_elements(200, [&](const Element& e, std::mt19937& random) {
     const double scale = std::exp(uniform(random, -5, 5));
     const Matrix_3 rotation = random_rotation(random);
@@ -315,7 +315,7 @@ TEST(Hexahedron_energy, does_not_depend_on_place_and_unit_of_length)
 
 TEST(Hexahedron_energy, does_not_depend_on_the_numbering)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   const auto rotations = numberings(1);
   ASSERT_EQ(rotations.size(), 24u);
   for_random_elements(20, [&](const Element& e, std::mt19937&) {
@@ -338,7 +338,7 @@ TEST(Hexahedron_energy, does_not_depend_on_the_numbering)
 // Whatever its corners are penalized below
 TEST(Hexahedron_energy, is_stationary_at_a_box_of_the_target_lengths)
 {
-  const Hexahedron_energy energy((Maximization_parameters()));
+  const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   std::mt19937 random(1);
   for (const Vector_3& size : {Vector_3(1, 1, 1), Vector_3(1, 2, 3), Vector_3(.1, 1, 10)})
     for (double floor : {0., .7, 1.5}) {

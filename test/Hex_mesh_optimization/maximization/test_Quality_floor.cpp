@@ -28,7 +28,7 @@ using namespace CGAL::Hex_mesh_optimization::internal;
 
 TEST(Quality_floor, never_falls_while_it_rises)
 {
-  const Maximization_parameters parameters;
+  const Floor_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
   const Hexahedron_batches batches(complex);
@@ -45,26 +45,26 @@ TEST(Quality_floor, never_falls_while_it_rises)
     const double now = floor.floors().get(0, 0);
     EXPECT_GE(now, before);
     EXPECT_GE(now, 0);
-    EXPECT_LE(now, parameters.floor_limit + 1e-6);
-    EXPECT_LE(now, (std::max)(0., best + parameters.floor_step) + 1e-6);
+    EXPECT_LE(now, parameters.limit + 1e-6);
+    EXPECT_LE(now, (std::max)(0., best + parameters.step) + 1e-6);
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
       for (int c = 0; c < 8; ++c)
         EXPECT_EQ(floor.floors().get(h, c), now);
     before = now;
   }
-  EXPECT_FLOAT_EQ(before, parameters.floor_limit);
+  EXPECT_FLOAT_EQ(before, parameters.limit);
 }
 
 // Where the connectivity makes many hexahedra poor
 TEST(Quality_floor, rises_no_higher_than_a_part_of_the_hexahedra)
 {
-  const Maximization_parameters parameters;
+  const Floor_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
   const Hexahedron_batches batches(complex);
   Quality_floor floor(batches, parameters);
   Mesh_quality quality(complex, positions(mesh));
-  const std::size_t poor = static_cast<std::size_t>(parameters.floor_fraction * complex.hexahedra.size()) + 1;
+  const std::size_t poor = static_cast<std::size_t>(parameters.fraction * complex.hexahedra.size()) + 1;
   for (std::size_t h = 0; h < poor; ++h)
     quality.scaled_jacobians[h] = .5;
   quality.minimum = .45;
@@ -72,13 +72,13 @@ TEST(Quality_floor, rises_no_higher_than_a_part_of_the_hexahedra)
   EXPECT_FLOAT_EQ(floor.floors().get(0, 0), .5);
   quality.scaled_jacobians[0] = 1;
   floor.rise(quality);
-  EXPECT_FLOAT_EQ(floor.floors().get(0, 0), .45 + parameters.floor_step);
+  EXPECT_FLOAT_EQ(floor.floors().get(0, 0), .45 + parameters.step);
 }
 
 // As long as a corner stays below, its floor rises, up to a limit; once it does not, its floor comes down again
 TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
 {
-  const Maximization_parameters parameters;
+  const Floor_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
   const Positions good = positions(mesh);
@@ -96,7 +96,7 @@ TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
       const auto corners = hexahedron_corners(points, complex.hexahedra[h]);
       for (int c = 0; c < 8; ++c) {
-        double lift = floor.floors().get(h, c) - (floor.held() + parameters.hold_margin);
+        double lift = floor.floors().get(h, c) - (floor.held() + parameters.margin);
         if (std::abs(lift) < 1e-6) // floors are in single precision
           lift = 0;
         if (corner_at(corners.data(), c).scaled_jacobian < floor.held()) {
@@ -128,7 +128,7 @@ TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
 // Forces that held the worst corners up do not vanish at once
 TEST(Quality_floor, fades_from_where_it_had_risen)
 {
-  const Maximization_parameters parameters;
+  const Floor_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
   std::mt19937 random(7);
@@ -142,19 +142,19 @@ TEST(Quality_floor, fades_from_where_it_had_risen)
   floor.rise(quality);
   const double risen = floor.floors().get(0, 0);
   floor.hold(quality, points);
-  ASSERT_GT(risen, floor.held() + parameters.hold_margin);
+  ASSERT_GT(risen, floor.held() + parameters.margin);
   for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
     const auto corners = hexahedron_corners(points, complex.hexahedra[h]);
     for (int c = 0; c < 8; ++c) {
       const double above = corner_at(corners.data(), c).scaled_jacobian - floor.held();
-      EXPECT_NEAR(floor.floors().get(h, c), (std::max)(floor.held() + parameters.hold_margin, risen - parameters.lift_rate * above), 1e-6);
+      EXPECT_NEAR(floor.floors().get(h, c), (std::max)(floor.held() + parameters.margin, risen - parameters.lift_rate * above), 1e-6);
     }
   }
 }
 
 TEST(Quality_floor, holds_no_more_than_was_reached)
 {
-  const Maximization_parameters parameters;
+  const Floor_parameters parameters;
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
   std::mt19937 random(4);
@@ -169,7 +169,7 @@ TEST(Quality_floor, holds_no_more_than_was_reached)
     EXPECT_LE(floor.held(), (std::max)(0., quality.minimum));
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
       for (int c = 0; c < 8; ++c)
-        EXPECT_NEAR(floor.floors().get(h, c), floor.held() + parameters.hold_margin, 1e-6) << "nothing is below what is held";
+        EXPECT_NEAR(floor.floors().get(h, c), floor.held() + parameters.margin, 1e-6) << "nothing is below what is held";
   }
 }
 

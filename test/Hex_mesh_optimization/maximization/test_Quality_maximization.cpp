@@ -4,9 +4,6 @@
 // What a maximization of the quality never spoils.
 
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
 #include "../Attached_mesh.h"
 #include "../Corner.h"
@@ -32,8 +29,8 @@ INSTANTIATE_TEST_SUITE_P(Families, Quality_maximization_of_families, ::testing::
 
 void run(Attached_mesh& s, Run_control& control)
 {
-  Surface_attachment attachment = s.surface_attachment();
-  Quality_maximization(s.complex, attachment, s.lengths, &s.relations, s.is_fixed, s.parameters)
+  Boundary_samples samples = s.samples();
+  Quality_maximization(s.complex, samples, s.distance(), s.lengths, &s.relations, s.is_fixed, Maximization_parameters())
     .run(s.points, control, std::numeric_limits<double>::infinity());
 }
 
@@ -76,7 +73,8 @@ TEST_P(Quality_maximization_of_families, keeps_a_valid_mesh_valid_and_its_minimu
     EXPECT_GE(after.minimum, before.minimum);
     EXPECT_GT(after.average, before.average);
     EXPECT_GT(control.iterations, 0u);
-    EXPECT_LE(control.iterations, s.parameters.climbing_iterations + s.parameters.longest_settling_iterations + tightening_iterations(s.parameters));
+    const Maximization_parameters p;
+    EXPECT_LE(control.iterations, p.climbing_iterations + p.longest_settling_iterations + tightening_iterations(p));
   });
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Vertex_system.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 
@@ -73,7 +74,7 @@ struct Setting
   std::vector<double> lengths, weights;
   Rectification_parameters parameters;
   double anchor = 0;
-  std::vector<Reference_pull::Link> links;
+  std::vector<Reference_links::Link> links;
   std::vector<double> link_weights;
   double worst_cosine_of_mesh = std::numeric_limits<double>::quiet_NaN();
 

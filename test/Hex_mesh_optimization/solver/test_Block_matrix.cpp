@@ -4,8 +4,9 @@
 // The sparse matrix with a block a pair of vertices against a dense one.
 
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/vertex_couplings.h>
 
 #include "../mesh_families.h"
 #include "../random_positions.h"

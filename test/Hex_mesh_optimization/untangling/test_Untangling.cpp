@@ -4,8 +4,7 @@
 // Untangling moves what is near inverted corners, and nothing else.
 
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 
 #include "../Attached_mesh.h"
 #include "../Corner.h"
@@ -33,11 +32,12 @@ TEST(Untangling, moves_what_is_near_inverted_corners_and_nothing_else)
   s.points[displaced] += Vector_3(2.3, .7, .4);
   const Positions given = s.points;
   ASSERT_GT(Mesh_quality(s.complex, given).inverted, 0u);
-  s.parameters.untangling_rings = 3;
-  Surface_attachment attachment = s.surface_attachment();
+  Untangling_parameters parameters;
+  parameters.rings = 3;
+  Boundary_samples samples = s.samples();
   Run_control control;
-  Untangling(s.complex, attachment, s.lengths, s.is_fixed, s.parameters).run(s.points, control);
-  EXPECT_GE(Mesh_quality(s.complex, s.points).minimum, s.parameters.untangled);
+  Untangling(s.complex, samples, s.distance(), s.lengths, s.is_fixed, parameters).run(s.points, control);
+  EXPECT_GE(Mesh_quality(s.complex, s.points).minimum, parameters.untangled);
   EXPECT_NE(s.points[displaced], given[displaced]);
   std::size_t far = 0;
   for (std::size_t v = 0; v < given.size(); ++v)

@@ -4,16 +4,16 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H
 
-// The other side of the deviation: samples of the reference that the boundary of
-// the mesh has left behind. Points on the mesh cannot see that the tip of a
+// For samples of the reference the nearest points of surface faces of the mesh,
+// asked for again and again. Points on the mesh cannot see that the tip of a
 // protrusion was cut off; the tip can.
 
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Smooth_normals.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
-#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Target.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-class Reference_pull
+class Reference_links
 {
 public:
-  // A sample of the reference with the point of the mesh boundary nearest to it:
+  // A sample of the reference with the point of the faces nearest to it:
   // Σ weight_k · vertex_k of one triangle.
   struct Link
   {
@@ -40,14 +40,15 @@ public:
     Vector_3 sample;
     double area; // of the reference that the sample stands for
     double distance;
-    std::size_t triangle; // of the boundary
-    bool is_new;            // by the last update
+    std::size_t triangle; // of the faces, two each
+    bool is_new;          // by the last update
     Vector_3 direction; // unit vector between the two, or a normal where they coincide
   };
 
-  Reference_pull(const Hexahedral_complex& complex, const Triangle_surface& surface, double spacing)
-    : complex_(complex)
-    , samples_(spread_samples(surface.points, surface.triangles, complex.boundary_faces.size(), spacing))
+  // quads: of the mesh. spacing: of the samples.
+  Reference_links(const std::vector<std::array<int, 4>>& quads, const Triangle_surface& surface, double spacing)
+    : triangles_(split_quads(quads))
+    , samples_(spread_samples(surface.points, surface.triangles, quads.size(), spacing))
   {
     // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be missed
     std::vector<double> around(surface.points.size(), 0.0);
@@ -70,7 +71,7 @@ public:
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
     if (is_first || !is_known(points)) {
-      known_ = std::make_unique<Triangle_surface>(points, boundary_triangles(complex_));
+      known_ = std::make_unique<Triangle_surface>(points, triangles_);
       nearby_.reset(samples_.size());
       fast_ = nullptr;
       if (known_->is_empty()) {
@@ -83,13 +84,16 @@ public:
       links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
       if (links_[i].is_new)
         find_link(i, points, normals.get());
-    }, 256);
+    }, searches_of_range);
     return links_;
   }
 
-  static constexpr double coincidence = 1e-7; // below this a distance has no direction
-
 private:
+  // To search fast triangles each time takes longer than new lists, where they are more than this part.
+  static constexpr double most_fast_triangles = .25;
+  // A search takes some microseconds.
+  static constexpr std::size_t searches_of_range = 256;
+
   static bool has_moved(const Link& link, const std::array<Vector_3, 3>& before, const Positions& points, double still)
   {
     for (int k = 0; k < 3; ++k)
@@ -98,7 +102,7 @@ private:
     return false;
   }
 
-  // normals: of the boundary at the first time, when many samples may lie on it; null later
+  // normals: of the faces at the first time, when many samples may lie on it; null later
   void find_link(std::size_t i, const Positions& points, const Smooth_normals* normals)
   {
     const Vector_3& sample = samples_[i].point;
@@ -107,7 +111,7 @@ private:
     const double distance = (foot.point - sample).norm();
     Link& link = links_[i];
     link = {t, foot.coordinates, sample, samples_[i].area, distance, foot.triangle, true, Vector_3::Zero()};
-    if (distance > coincidence)
+    if (distance > Target::coincidence)
       link.direction = (foot.point - sample) / distance;
     else if (normals)
       link.direction = normals->at(foot.triangle, foot.coordinates);
@@ -133,13 +137,13 @@ private:
         triangles.push_back(vertices);
       }
     }
-    if (4 * triangles.size() > known_->triangles.size()) // to search them each time takes longer than new lists
+    if (double(triangles.size()) > most_fast_triangles * double(known_->triangles.size()))
       return false;
     fast_ = triangles.empty() ? nullptr : std::make_unique<Triangle_surface>(points, std::move(triangles));
     return true;
   }
 
-  // The point of the boundary closest to sample i: one of the triangles near where it was, or a fast one.
+  // The point of the faces closest to sample i: one of the triangles near where it was, or a fast one.
   Surface_point closest(std::size_t i, const Positions& points)
   {
     const Vector_3& sample = samples_[i].point;
@@ -161,11 +165,11 @@ private:
     return *foot;
   }
 
-  const Hexahedral_complex& complex_;
+  const std::vector<Triangle_indices> triangles_; // of the faces
   std::vector<Surface_sample> samples_;
   std::vector<Link> links_;
   std::vector<std::array<Vector_3, 3>> found_at_;   // the vertices of each link
-  std::unique_ptr<Triangle_surface> known_;         // the boundary as it was when nearby_ was reset
+  std::unique_ptr<Triangle_surface> known_;         // the faces as they were when nearby_ was reset
   Nearby_triangles nearby_;                         // to each sample
   std::vector<std::size_t> fast_triangles_;         // those that have moved too far since then
   std::unique_ptr<Triangle_surface> fast_;          // they, where they are now

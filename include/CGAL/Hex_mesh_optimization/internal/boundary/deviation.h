@@ -9,11 +9,9 @@
 #include <CGAL/Hex_mesh_optimization/Deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
-#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -23,15 +21,6 @@
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
-
-inline double bounding_box_diagonal(const Triangle_surface& surface)
-{
-  Eigen::AlignedBox3d box;
-  for (const Triangle_indices& t : surface.triangles)
-    for (int v : t)
-      box.extend(surface.points[v]);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
-}
 
 // Distances from points spread over one surface to the other. O(samples · log triangles).
 inline void extend_deviation(const Triangle_surface& from, const Triangle_surface& to, std::size_t number_of_boundary_faces,

@@ -10,7 +10,6 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 
 #include <limits>
 
@@ -18,24 +17,27 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
+struct Hexahedron_energy_parameters
+{
+  // Keeps the root of the norm differentiable at a perfect hexahedron.
+  double norm_offset = 1e-3;
+  // ν, the weight of −log s. It only has to be infinite at 0: the floor does the work.
+  double barrier_weight = .005;
+  // ρ, the weight of the exterior floor. Stronger than an attachment at any distance, so that it wins.
+  double floor_weight = 2000;
+  // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of edge
+  // ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it (measured).
+  double shape_weight = .11;
+  double poor_shape_weight = .545;
+};
+
 // Over the corners of a hexahedron with scaled Jacobians s:
 //   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ κ/2 (m − 1)² + κ'/3 (m − 1)³,
 // infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l.
 class Hexahedron_energy
 {
 public:
-  explicit Hexahedron_energy(const Maximization_parameters& parameters)
-    : parameters_(parameters)
-    , shape_weight_(parameters.shape_weight)
-    , poor_shape_weight_(parameters.poor_shape_weight)
-  {}
-
-  // Multiplies both weights of the shape as the parameters gave them.
-  void set_shape_factor(double factor)
-  {
-    parameters_.shape_weight = factor * shape_weight_;
-    parameters_.poor_shape_weight = factor * poor_shape_weight_;
-  }
+  explicit Hexahedron_energy(const Hexahedron_energy_parameters& parameters) : parameters_(parameters) {}
 
   // inverse_targets: 1 / l of the edges; floor: τ of the corners.
   template <class Real>
@@ -114,8 +116,7 @@ private:
   template <class Real>
   static Real root_8(const Real& x) { return square_root(square_root(square_root(x))); }
 
-  Maximization_parameters parameters_;
-  const double shape_weight_, poor_shape_weight_; // as given
+  Hexahedron_energy_parameters parameters_;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

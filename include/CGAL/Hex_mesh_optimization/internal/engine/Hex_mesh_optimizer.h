@@ -10,7 +10,10 @@
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Model.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
@@ -92,7 +95,7 @@ public:
       const bool is_good = quality.invalid == 0 && quality.minimum >= target;
       if (quality.inverted == 0 && !is_good && !control_.is_stopped())
         maximize(points);
-      boundary_.reset();
+      samples_.reset();
     }
 
     report_.certify(model_.in_coordinates(points));
@@ -140,31 +143,30 @@ private:
   void untangle(Positions& points)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
-    Untangling(mesh_.complex, boundary(), model_.lengths, model_.is_fixed, maximization_parameters()).run(points, control_);
+    Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, model_.is_fixed, parameters_.untangling)
+      .run(points, control_);
   }
 
   void maximize(Positions& points)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
-    Quality_maximization(mesh_.complex, boundary(), model_.lengths, model_.lengths_are_estimated ? &model_.relations : nullptr,
-                         model_.is_fixed, maximization_parameters())
+    Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths,
+                         model_.lengths_are_estimated ? &model_.relations : nullptr, model_.is_fixed, parameters_.maximization)
       .run(points, control_, parameters_.target_quality);
   }
 
   // What untangling finds of the boundary, maximization goes on with.
-  Surface_attachment& boundary()
+  Boundary_samples& boundary_samples()
   {
-    if (!boundary_)
-      boundary_.emplace(mesh_.complex, *model_.surface, model_.attachment, model_.lengths, model_.reference_is_given,
-                        maximization_parameters());
-    return *boundary_;
+    if (!samples_)
+      samples_.emplace(mesh_.complex, boundary_surface_faces(mesh_.complex), *model_.surface, model_.attachment, model_.lengths,
+                       parameters_.maximum_deviation / model_.unit, parameters_.boundary.samples);
+    return *samples_;
   }
 
-  Maximization_parameters maximization_parameters() const
+  Distance_energy distance_energy() const
   {
-    Maximization_parameters result = parameters_.maximization;
-    result.maximum_deviation = parameters_.maximum_deviation / model_.unit;
-    return result;
+    return boundary_distance_energy(*model_.surface, model_.reference_is_given, parameters_.boundary);
   }
 
   const Optimization_parameters parameters_;
@@ -172,7 +174,7 @@ private:
   const Checked_mesh mesh_;
   const Model model_;
   Report report_;
-  std::optional<Surface_attachment> boundary_;
+  std::optional<Boundary_samples> samples_;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

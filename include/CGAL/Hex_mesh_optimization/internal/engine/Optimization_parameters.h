@@ -8,9 +8,11 @@
 
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 
 #include <cstddef>
 #include <functional>
@@ -34,6 +36,8 @@ struct Optimization_parameters
   std::function<bool(const Iteration&)> on_iteration;
   Feature_parameters features;
   Rectification_parameters rectification;
+  Boundary_parameters boundary;
+  Untangling_parameters untangling;
   Maximization_parameters maximization;
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails: in a
   // large mesh it takes many iterations for the last ones.

@@ -10,7 +10,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Lanes.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 
@@ -22,11 +21,34 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
+struct Floor_parameters
+{
+  // While it rises it stands this far above the worst corner, at most, no higher than the limit, and where this part of the
+  // hexahedra is worse, they are left in peace.
+  double step = .2;
+  double limit = .95;
+  double fraction = .04;
+
+  // Held is this part of the minimum reached, but no more than the limit or, if that is higher, than the gap below
+  // the fraction of the hexahedra: a higher minimum than that is not worth the deviation. The gap is no more
+  // than a multiple of what those lack of 1: nearly perfect meshes stay so.
+  double hold = .98;
+  double hold_limit = .694;
+  double hold_gap = .115;
+  double relative_hold_gap = 1.5;
+  // The penalty acts from this far above what is held.
+  double margin = .04;
+  // Part of what a corner lacks that its multiplier grows by in an iteration; all of it overshoots and oscillates.
+  double lift_rate = .5;
+  // Bound of the multipliers, against hexahedra that cannot be held at all.
+  double largest_lift = 2;
+};
+
 class Quality_floor
 {
 public:
   // hexahedra must outlive the floor.
-  Quality_floor(const Hexahedron_batches& hexahedra, const Maximization_parameters& parameters)
+  Quality_floor(const Hexahedron_batches& hexahedra, const Floor_parameters& parameters)
     : parameters_(parameters)
     , hexahedra_(hexahedra)
     , lifts_(hexahedra.number_of_hexahedra())
@@ -38,7 +60,7 @@ public:
   void rise(const Mesh_quality& quality)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    floor_ = (std::max)(floor_, (std::min)({parameters_.floor_limit, quantile(quality), quality.minimum + parameters_.floor_step}));
+    floor_ = (std::max)(floor_, (std::min)({parameters_.limit, quantile(quality), quality.minimum + parameters_.step}));
     hexahedra_.for_each([this](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor_)); });
   }
 
@@ -49,7 +71,7 @@ public:
   {
     highest_ = (std::max)(highest_, quality.minimum);
     held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, worth_holding(quality)));
-    const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.hold_margin));
+    const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.margin));
     const bool is_first = floor_ > 0;
     floor_ = 0;
     const float held = static_cast<float>(held_), rate = static_cast<float>(parameters_.lift_rate);
@@ -62,7 +84,7 @@ public:
           lifts[c] = Lanes{} + carried;
         const Lanes lifted = larger(Lanes{}, lifts[c] + rate * (held - Corner_frame<Lanes>(frame, c).scaled_jacobian));
         lifts[c] = smaller(lifted, largest);
-        floors[c] = lifts[c] + (held + static_cast<float>(parameters_.hold_margin));
+        floors[c] = lifts[c] + (held + static_cast<float>(parameters_.margin));
       }
     });
   }
@@ -81,12 +103,12 @@ private:
   double quantile(const Mesh_quality& quality) const
   {
     std::vector<double> sorted = quality.scaled_jacobians;
-    const std::size_t rank = static_cast<std::size_t>(parameters_.floor_fraction * sorted.size());
+    const std::size_t rank = static_cast<std::size_t>(parameters_.fraction * sorted.size());
     std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
     return sorted[rank];
   }
 
-  const Maximization_parameters parameters_;
+  const Floor_parameters parameters_;
   const Hexahedron_batches& hexahedra_;
   double floor_ = 0, highest_ = 0, held_ = 0;
   Batched_values<8> lifts_, floors_;

@@ -11,15 +11,20 @@
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cones.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Global_step.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hold_back.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Reference_links.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +51,7 @@ public:
     , lengths_(std::move(lengths))
     , cones_(complex)
     , global_(complex, relations, cones_, parameters_)
-    , pull_(complex, surface, parameters.reference_spacing)
+    , links_(boundary_surface_faces(complex).quads, surface, parameters.reference_spacing)
     , weights_(complex.number_of_vertices(), 1.0)
     , feet_(complex.number_of_vertices())
     , targets_(cones_.size())
@@ -61,13 +66,13 @@ public:
   // ends the run; leaves in them the best state met, the one that came in included.
   void run(Positions& points, Run_control& control, double target_quality, std::size_t tolerated = 0)
   {
-    Best best{points, Mesh_quality(complex_, points)};
-    best.highest_minimum = best.quality.minimum;
-    best.least_minimum = best.quality.invalid == 0 ? best.quality.minimum : -1;
+    const Mesh_quality given(complex_, points);
+    // later states lie closer to the surface
+    Best_state best(points, given, parameters_.accepted_part_of_minimum, 0);
     iteration_ = 0;
-    is_valid_ = best.quality.invalid == 0;
+    is_valid_ = given.invalid == 0;
     const auto is_enough = [&] {
-      return best.quality_reaches(target_quality) || (tolerated > 0 && best.quality.inverted <= tolerated);
+      return best.reaches(target_quality) || (tolerated > 0 && best.inverted() <= tolerated);
     };
     for (std::size_t restart = 0; restart <= parameters_.restarts && !control.is_stopped(); ++restart) {
       global_.set_target_lengths(lengths_);
@@ -82,39 +87,14 @@ public:
       if (restart < parameters_.restarts && !update_lengths(points))
         break;
     }
-    if (parameters_.maximize_minimum_quality && best.quality.invalid == 0)
+    if (parameters_.maximize_minimum_quality && best.invalid() == 0)
       maximize_minimum(points, best, control, target_quality);
-    points = std::move(best.points);
+    points = best.points();
   }
 
 private:
-  struct Best
-  {
-    Positions points;
-    Mesh_quality quality;
-    double highest_minimum = -1; // among the states with as few invalid hexahedra
-    double least_minimum = -1;   // a valid mesh never gets a lower minimum
-
-    bool quality_reaches(double target) const { return quality.invalid == 0 && quality.minimum >= target; }
-
-    // Later states lie closer to the surface, so that among equally valid ones the
-    // later wins unless its minimum falls behind.
-    void offer(const Positions& candidate, const Mesh_quality& q)
-    {
-      if (q.invalid > quality.invalid || q.inverted > quality.inverted || q.minimum < least_minimum)
-        return;
-      if (q.invalid < quality.invalid)
-        highest_minimum = -1;
-      if (q.minimum >= .9 * highest_minimum) {
-        points = candidate;
-        quality = q;
-      }
-      highest_minimum = (std::max)(highest_minimum, q.minimum);
-    }
-  };
-
   // One local and one global step. False when nothing moved any more.
-  bool iterate(Positions& points, double anchor, Best& best, Run_control& control, bool maximizing)
+  bool iterate(Positions& points, double anchor, Best_state& best, Run_control& control, bool maximizing)
   {
     for_each(points.size(), [&](std::size_t v) {
       if (is_smooth(static_cast<int>(v)))
@@ -122,12 +102,12 @@ private:
     }, 64);
     local_step(points, maximizing);
     global_.set_boundary(surface_, attachment_, feet_, weights_, anchor, points);
-    if (best.quality.invalid == 0)
+    if (best.invalid() == 0)
       pull_reference(points);
     const Positions before = points;
     const double energy = global_.minimize(targets_, points);
     if (is_valid_)
-      hold_back(before, points);
+      hold_back_ruinous(before, points);
     const Mesh_quality quality(complex_, points);
     is_valid_ = quality.invalid == 0;
     adapt_weights(quality);
@@ -138,42 +118,27 @@ private:
 
   // From a valid state, vertices whose move would make a hexahedron invalid, or would lose most of the quality of a
   // poor one, go only part of the way: otherwise single hexahedra keep flipping for ever.
-  void hold_back(const Positions& before, Positions& points) const
+  void hold_back_ruinous(const Positions& before, Positions& points) const
   {
-    std::vector<double> share(points.size(), 1.0);
-    const Positions full = points;
-    for (int attempt = 0; attempt < parameters_.hold_back_attempts; ++attempt) {
-      std::vector<char> is_ruined(complex_.hexahedra.size());
+    Positions step(points.size());
+    for_each(step.size(), [&](std::size_t v) { step[v] = points[v] - before[v]; });
+    hold_back(complex_, before, step, parameters_.hold_back_attempts, true, [&](const Positions& reached, std::vector<char>& is_ruined) {
       for_each(is_ruined.size(), [&](std::size_t h) {
-        const Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
+        const Hexahedron_coordinates x = hexahedron_coordinates(reached, complex_.hexahedra[h]);
         const double q = scaled_jacobian(x);
         is_ruined[h] = q <= parameters_.hold_back_quality &&
                        (q < parameters_.hold_back_loss * scaled_jacobian(hexahedron_coordinates(before, complex_.hexahedra[h])) ||
                         hexahedron_validity(x) != Validity::VALID);
       });
-      std::vector<char> hold(points.size(), false);
-      bool any = false;
-      for (std::size_t h = 0; h < is_ruined.size(); ++h)
-        if (is_ruined[h])
-          for (int v : complex_.hexahedra[h])
-            hold[v] = any = true;
-      if (!any)
-        return;
-      const bool last = attempt + 2 >= parameters_.hold_back_attempts;
-      for (std::size_t v = 0; v < points.size(); ++v)
-        if (hold[v]) {
-          share[v] = last ? 0 : share[v] / 2;
-          points[v] = before[v] + share[v] * (full[v] - before[v]);
-        }
-    }
+    }, points);
   }
 
   // The pull gives way where the vertices had to be let go.
   void pull_reference(const Positions& points)
   {
-    std::vector<Reference_pull::Link> links;
+    std::vector<Reference_links::Link> links;
     std::vector<double> weights;
-    for (const Reference_pull::Link& link : pull_.update(points, 0)) {
+    for (const Reference_links::Link& link : links_.update(points, 0)) {
       if (link.distance <= parameters_.pull_tolerance)
         continue;
       links.push_back(link);
@@ -190,7 +155,7 @@ private:
   void local_step(const Positions& points, bool maximizing)
   {
     cones_.update_normals(points);
-    const double threshold = std::cos(parameters_.cone_angle_bound * 3.14159265358979323846 / 180);
+    const double threshold = std::cos(parameters_.cone_angle_bound * CGAL_PI / 180);
     double worst_of_mesh = 1;
     for (double worst : results_of_ranges<double>(targets_.size(), [&](std::size_t begin, std::size_t end) {
            double worst_of_range = 1;
@@ -210,7 +175,7 @@ private:
     // an edge at a feature lies in no one tangent plane
     if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) && is_smooth(complex_.target(directed))) {
       normal = feet_[complex_.source(directed)].normal + feet_[complex_.target(directed)].normal;
-      if (normal.norm() > 1e-3) { // opposite normals have no average
+      if (normal.norm() > parameters_.opposite_normals) {
         normal.normalize();
         surface_weight = parameters_.direction_surface_weight;
       }
@@ -263,19 +228,19 @@ private:
   }
 
   // Section 3.6. Stops when the worst cone of the mesh no longer improves.
-  void maximize_minimum(Positions& points, Best& best, Run_control& control, double target_quality)
+  void maximize_minimum(Positions& points, Best_state& best, Run_control& control, double target_quality)
   {
-    points = best.points;
+    points = best.points();
     is_valid_ = true;
-    double highest = best.quality.minimum;
+    double highest = best.minimum();
     std::size_t since = 0;
-    for (std::size_t i = 0; i < parameters_.maximization_iterations && since < 5; ++i) {
-      if (control.check_time() || best.quality_reaches(target_quality))
+    for (std::size_t i = 0; i < parameters_.maximization_iterations && since < parameters_.maximization_patience; ++i) {
+      if (control.check_time() || best.reaches(target_quality))
         return;
       const bool moved = iterate(points, 0, best, control, true);
       ++since;
-      if (best.quality.minimum > highest + 1e-3) {
-        highest = best.quality.minimum;
+      if (best.minimum() > highest + parameters_.maximization_gain) {
+        highest = best.minimum();
         since = 0;
       }
       if (control.is_stopped() || !moved)
@@ -290,7 +255,7 @@ private:
   std::vector<double> lengths_;
   Edge_cones cones_;
   Global_step global_;
-  Reference_pull pull_;
+  Reference_links links_;
   std::vector<double> weights_;
   std::vector<Foot_point> feet_; // of the vertices on the smooth surface
   std::vector<Target_direction> targets_;

@@ -110,7 +110,7 @@ public:
   // Adds |Σ w_k v_k − sample|² for reference samples that the boundary has left
   // behind, each with its own weight. Equal in all directions, so that it stays a
   // scalar coupling.
-  void set_reference_pull(const std::vector<Reference_pull::Link>& links, const std::vector<double>& weights)
+  void set_reference_pull(const std::vector<Reference_links::Link>& links, const std::vector<double>& weights)
   {
     links_ = links;
     link_weights_ = weights;
@@ -132,7 +132,7 @@ public:
     for (int iteration = 0; iteration < parameters_.penalty_iterations; ++iteration) {
       assemble(targets, start_length);
       const Positions before = points;
-      solver_iterations += system_.solve(points, parameters_.solver_tolerance, parameters_.solver_iterations);
+      system_.solve(points, parameters_.solver_tolerance, parameters_.solver_iterations);
       energy = system_.energy(points) + constant_;
       update_penalty_weights(targets, points);
       if (largest_move(before, points) < parameters_.convergence)
@@ -156,7 +156,6 @@ public:
 
   // cosine of the worst cone where eq. 27 replaces eq. 16; NaN while it does not
   double worst_cosine_of_mesh = std::numeric_limits<double>::quiet_NaN();
-  long solver_iterations = 0;
 
 private:
   static std::vector<std::array<int, 2>> couplings(const Hexahedral_complex& complex, const Edge_relations& relations)
@@ -293,7 +292,7 @@ private:
   std::vector<double> regularization_diagonal_, regularization_couplings_;
   std::vector<Matrix_3> boundary_blocks_;
   Positions boundary_right_;
-  std::vector<Reference_pull::Link> links_;
+  std::vector<Reference_links::Link> links_;
   std::vector<double> link_weights_;
   double boundary_constant_ = 0, constant_ = 0;
 };

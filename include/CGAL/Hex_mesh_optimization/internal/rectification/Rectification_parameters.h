@@ -28,6 +28,8 @@ struct Rectification_parameters
   double surface_weight = 100;
   // β of eq. 20 (paper).
   double direction_surface_weight = 10;
+  // Two unit normals with a sum no longer than this have no average.
+  double opposite_normals = 1e-3;
   // The largest angle between axis and base normals, in degrees: ε = cos 85° (paper).
   double cone_angle_bound = 85;
   // σ and the amplitude of eq. 16 (paper).
@@ -79,6 +81,12 @@ struct Rectification_parameters
   double minimum_quality_step = .01;      // ϵ of eq. 26 (paper), read as cos α + ϵ
   double sufficient_quality = .5;         // cones better than this are left alone (paper)
   std::size_t maximization_iterations = 20;
+  // It ends when the minimum has not gained so much in so many iterations.
+  double maximization_gain = 1e-3;
+  std::size_t maximization_patience = 5;
+
+  // A later state with a minimum of no less than this part of the highest one counts as better.
+  double accepted_part_of_minimum = .9;
 };
 
 } // namespace internal

@@ -18,16 +18,21 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// value(points) may be infinite where the energy is not defined; assemble(points, gradient, matrix) adds to zeros, with
-// a positive semi-definite model of the Hessian; restrict_step(direction) may shorten the steps of single points. Moves
-// the points that are not fixed and returns the energy reached.
-template <class Value, class Assemble, class Restrict>
-double newton_step(const Value& value, const Assemble& assemble, const Restrict& restrict_step,
-                   const std::vector<char>& is_fixed, const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
+// An energy is a class with
+//   double value(const Positions& points) const,
+//     which may be infinite where the energy is not defined, and
+//   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
+//     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
+//
+// restrict_step(direction) may shorten the steps of single points. Moves the points that are not fixed and returns the
+// energy reached.
+template <class Energy, class Restrict>
+double newton_step(const Energy& energy, const std::vector<char>& is_fixed, const Restrict& restrict_step,
+                   const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
-  assemble(points, gradient, matrix);
+  energy.add_derivatives(points, gradient, matrix);
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
   matrix.solve(gradient, is_fixed, parameters.tolerance, parameters.iterations, direction);
   restrict_step(direction);
@@ -37,12 +42,12 @@ double newton_step(const Value& value, const Assemble& assemble, const Restrict&
       sum += gradient[v].dot(direction[v]);
     return sum;
   });
-  const double start = value(points);
+  const double start = energy.value(points);
   Positions trial(points.size());
   double t = 1;
   for (int i = 0; i < parameters.line_search_steps; ++i, t /= 2) {
     for_each(points.size(), [&](std::size_t v) { trial[v] = points[v] + t * direction[v]; });
-    const double reached = value(trial);
+    const double reached = energy.value(trial);
     if (reached <= start + parameters.armijo * t * slope) {
       points.swap(trial);
       return reached;

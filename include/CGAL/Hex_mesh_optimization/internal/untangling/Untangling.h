@@ -10,19 +10,23 @@
 // of code", 2021), with the boundary loosely attached. Only what is near inverted
 // corners takes part.
 
-#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_assembly.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Sum_of_energies.h>
+#include <CGAL/Hex_mesh_optimization/internal/energy/Untangling_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_derivatives.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/vertex_couplings.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
-#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
-#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Newton_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/newton_step.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -32,49 +36,42 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// The mean ratio with χ = ½ (D + √(ε² + D²)) in the place of D = det / l_0 l_1 l_2: itself at ε = 0, D > 0.
-struct Regularized_mean_ratio
+struct Untangling_parameters
 {
-  double r[3], squares; // |e_i|²/l_i² and their sum
-  double volume;        // |e_0| |e_1| |e_2| / l_0 l_1 l_2
-  double chi, chi_slope; // χ and dχ/dD
+  // ε² = least + factor · min(0, lowest determinant)², as in Garanzha et al.
+  double least_regularization = 1e-6;
+  double regularization = .04;
+  // Factor of the weights of the attachment.
+  double tightness = .02;
+  // It ends when no corner is below this: from nearly inverted ones, the maximization of quality climbs slowly, if at all.
+  double untangled = .02;
+  // Only vertices so many hexahedra around an inverted one move; twice as many after so many iterations without a
+  // hexahedron less that is inverted. After so many it gives up, and after the former number where none is left.
+  std::size_t rings = 5;
+  std::size_t widening_patience = 10;
+  std::size_t patience = 30;
 
-  Regularized_mean_ratio(const Edge_ratios<double>& ratios, int corner, double scaled_jacobian, double squared_epsilon)
-  {
-    for (int k = 0; k < 3; ++k)
-      r[k] = ratios.square[corner_edges[corner][k] / 2];
-    squares = r[0] + r[1] + r[2];
-    volume = std::sqrt(r[0]) * std::sqrt(r[1]) * std::sqrt(r[2]);
-    const double D = volume * scaled_jacobian, root = std::sqrt(squared_epsilon + D * D);
-    // the difference of nearly equal numbers, where D < 0
-    chi = D > 0 ? (D + root) / 2 : squared_epsilon / (2 * (root - D));
-    chi_slope = chi / root;
-  }
-
-  double value() const { return squares / 3 / std::cbrt(chi * chi); }
-
-  // As that of the mean ratio, with χ in the place of the determinant.
-  Corner_quadratic<double> model(const Corner_frame<double>& corner) const
-  {
-    const double m = value();
-    return Corner_quadratic<double>(corner, chi_slope * volume / chi, r, 0, 0, m, 3 * m / squares, 0, 0, 0);
-  }
+  Newton_parameters newton;
 };
 
 class Untangling
 {
 public:
-  // As for Quality_maximization.
-  Untangling(const Hexahedral_complex& complex, Surface_attachment& attachment, const std::vector<double>& lengths,
-             const std::vector<char>& is_fixed, const Maximization_parameters& parameters)
+  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. distance: of the samples. All but
+  // the numbers must outlive the object.
+  Untangling(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
+             const std::vector<double>& lengths, const std::vector<char>& is_fixed, const Untangling_parameters& parameters)
     : complex_(complex)
     , parameters_(parameters)
-    , attachment_(attachment)
+    , samples_(samples)
     , matrix_(vertex_couplings(complex))
     , assembly_(complex, matrix_)
-    , lengths_(lengths)
+    , hexahedra_(complex, assembly_, lengths)
+    , boundary_(samples, distance, complex.number_of_vertices())
     , is_fixed_(is_fixed)
-  {}
+  {
+    boundary_.tightness = parameters.tightness;
+  }
 
   // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and the
   // best worst one if none is inverted. Does nothing if none is.
@@ -83,35 +80,30 @@ public:
     Mesh_quality quality(complex_, points);
     if (quality.inverted == 0)
       return;
-    Positions best = points;
-    std::size_t fewest = quality.inverted, since = 0, rings = parameters_.untangling_rings;
-    double minimum = quality.minimum;
-    attachment_.tightness = parameters_.start_tightness;
+    Best_state best(points, quality, 1, 0);
+    std::size_t since = 0, rings = parameters_.rings;
     const auto is_done = [&] {
-      return fewest == 0 && (minimum >= parameters_.untangled || since >= parameters_.widening_patience);
+      return best.inverted() == 0 && (best.highest_minimum() >= parameters_.untangled || since >= parameters_.widening_patience);
     };
-    for (std::size_t i = 0; !is_done() && since < parameters_.untangling_patience && !control.is_stopped(); ++i) {
+    for (std::size_t i = 0; !is_done() && since < parameters_.patience && !control.is_stopped(); ++i) {
       activate(quality, rings);
-      const double lowest = lowest_determinant(points);
-      squared_epsilon_ = parameters_.least_regularization + parameters_.regularization * std::pow((std::min)(lowest, 0.0), 2);
-      attachment_.update(points);
-      const double energy = newton_step([this](const Positions& p) { return value(p); },
-                                        [this](const Positions& p, Positions& g, Block_matrix& m) { assemble(p, g, m); },
-                                        [](Positions&) {},
-                                        is_passive_, parameters_.newton, matrix_, points);
+      const double lowest = (std::min)(hexahedra_.lowest_determinant(points), 0.0);
+      hexahedra_.set_regularization(parameters_.least_regularization + parameters_.regularization * (lowest * lowest));
+      samples_.update(points);
+      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), is_passive_, [](Positions&) {}, parameters_.newton,
+                                        matrix_, points);
       quality = Mesh_quality(complex_, points);
       ++since;
-      if (quality.inverted < fewest || (quality.inverted == 0 && quality.minimum > minimum)) {
-        fewest = quality.inverted;
-        minimum = quality.minimum;
-        best = points;
+      const std::size_t fewest = best.inverted();
+      const double highest = best.highest_minimum();
+      best.offer(points, quality);
+      if (best.inverted() < fewest || (best.inverted() == 0 && best.highest_minimum() > highest))
         since = 0;
-      }
-      if (since > 0 && since % parameters_.widening_patience == 0)
+      else if (since % parameters_.widening_patience == 0)
         rings *= 2;
       control.after_iteration(Stage::UNTANGLING, i, energy, quality);
     }
-    points = std::move(best);
+    points = best.points();
   }
 
 private:
@@ -134,75 +126,25 @@ private:
       for (const std::size_t end = near.size(); begin < end; ++begin)
         for (int h : complex_.vertex_hexahedra[near[begin]])
           add(h);
-    active_.clear();
+    std::vector<int> active;
     for (int v : near)
-      active_.insert(active_.end(), complex_.vertex_hexahedra[v].begin(), complex_.vertex_hexahedra[v].end());
-    std::sort(active_.begin(), active_.end());
-    active_.erase(std::unique(active_.begin(), active_.end()), active_.end());
+      active.insert(active.end(), complex_.vertex_hexahedra[v].begin(), complex_.vertex_hexahedra[v].end());
+    std::sort(active.begin(), active.end());
+    active.erase(std::unique(active.begin(), active.end()), active.end());
+    hexahedra_.set_active(std::move(active));
     for (std::size_t v = 0; v < is_fixed_.size(); ++v)
       is_passive_[v] = is_passive_[v] || is_fixed_[v];
   }
 
-  // Calls visit(h, frame, ratios) for every active hexahedron h. In double: nothing bounds what comes in tangled.
-  template <class Visit>
-  void for_hexahedra(const Positions& points, const Visit& visit) const
-  {
-    for (int h : active_) {
-      double vectors[12][3], inverse_targets[12];
-      edge_vectors(points, complex_.hexahedra[h], vectors);
-      for (int k = 0; k < 12; ++k)
-        inverse_targets[k] = 1 / lengths_[complex_.hexahedron_edges[h][k] / 2];
-      const Hexahedron_frame<double> frame(vectors);
-      visit(h, frame, Edge_ratios<double>(frame, inverse_targets));
-    }
-  }
-
-  double lowest_determinant(const Positions& points) const
-  {
-    double lowest = 1;
-    for_hexahedra(points, [&](std::size_t, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
-      for (int c = 0; c < 8; ++c) {
-        const double s = Corner_frame<double>(frame, c).scaled_jacobian;
-        lowest = (std::min)(lowest, s * Regularized_mean_ratio(ratios, c, s, 1).volume);
-      }
-    });
-    return lowest;
-  }
-
-  double value(const Positions& points) const
-  {
-    double sum = attachment_.energy(points);
-    for_hexahedra(points, [&](std::size_t, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
-      for (int c = 0; c < 8; ++c)
-        sum += Regularized_mean_ratio(ratios, c, Corner_frame<double>(frame, c).scaled_jacobian, squared_epsilon_).value();
-    });
-    return sum;
-  }
-
-  void assemble(const Positions& points, Positions& gradient, Block_matrix& matrix) const
-  {
-    Hexahedron_derivatives<double> d;
-    for_hexahedra(points, [&](std::size_t h, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
-      d.set_zero();
-      for (int c = 0; c < 8; ++c) {
-        const Corner_frame<double> corner(frame, c);
-        d.add(c, frame, corner, Regularized_mean_ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_).model(corner));
-      }
-      assembly_.add(h, d, 0, gradient, matrix);
-    });
-    attachment_.add_derivatives(points, gradient, matrix);
-  }
-
   const Hexahedral_complex& complex_;
-  const Maximization_parameters parameters_;
-  Surface_attachment& attachment_;
+  const Untangling_parameters parameters_;
+  Boundary_samples& samples_;
   Block_matrix matrix_;
   const Hexahedron_assembly assembly_;
-  const std::vector<double> lengths_; // targets of the edges
+  Untangling_energy hexahedra_;
+  Boundary_energy boundary_;
   const std::vector<char> is_fixed_;
-  std::vector<int> active_;      // hexahedra
   std::vector<char> is_passive_; // vertices that do not move
-  double squared_epsilon_ = 0;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -3,9 +3,9 @@
 
 // A step is shortened where corners would get too poor, and nowhere else.
 
-#include <CGAL/Hex_mesh_optimization/internal/maximization/hold_back.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/hold_corners.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 
 #include "../Corner.h"
 #include "../mesh_families.h"
@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <vector>
@@ -30,7 +31,7 @@ Batched_values<1> same_for_all(const Hexahedral_complex& complex, double value)
 }
 
 // Only vertices of hexahedra that would get too poor are held back, and these until none is
-TEST(Hold_back, is_shortened_only_where_corners_would_get_too_poor)
+TEST(Hold_corners, is_shortened_only_where_corners_would_get_too_poor)
 {
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
@@ -44,7 +45,7 @@ TEST(Hold_back, is_shortened_only_where_corners_would_get_too_poor)
   step[moved] = Vector_3(1, .8, .9);
   const Positions given = step;
   const int rounds = 20;
-  hold_back(complex, Hexahedron_batches(complex), points, least, rounds, step);
+  hold_corners(complex, Hexahedron_batches(complex), points, least, rounds, step);
 
   std::vector<char> is_near(points.size(), false);
   for (int h : complex.vertex_hexahedra[moved])
@@ -69,13 +70,13 @@ TEST(Hold_back, is_shortened_only_where_corners_would_get_too_poor)
   EXPECT_LT(Mesh_quality(complex, longer).minimum, .6);
 }
 
-TEST(Hold_back, ends_after_the_rounds)
+TEST(Hold_corners, ends_after_the_rounds)
 {
   const Indexed_mesh mesh = mesh_families()[0]();
   const Hexahedral_complex complex = mesh.complex();
   const Batched_values<1> unreachable = same_for_all(complex, 2);
   Positions step(mesh.points.size(), Vector_3(1, 2, 3));
-  hold_back(complex, Hexahedron_batches(complex), positions(mesh), unreachable, 3, step);
+  hold_corners(complex, Hexahedron_batches(complex), positions(mesh), unreachable, 3, step);
   for (const Vector_3& d : step)
     EXPECT_EQ(d, Vector_3(1, 2, 3) / 8);
 }

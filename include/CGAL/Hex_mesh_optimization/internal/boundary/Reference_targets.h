@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_TARGETS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_TARGETS_H
+
+// For points of the mesh the nearest places of the reference, asked for again and
+// again while little moves.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Target.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+class Reference_targets
+{
+public:
+  // For so many points. surface must outlive the object.
+  Reference_targets(const Reference_surface& surface, std::size_t points)
+    : surface_(surface)
+    , queried_at_(points, Vector_3::Constant(std::numeric_limits<double>::infinity()))
+    , triangles_(points, no_triangle)
+  {
+    nearby_.reset(points);
+  }
+
+  // Whether point i, now at p, is as far as `still` from where this last was true: only then its target has to be found anew.
+  bool has_moved(std::size_t i, const Vector_3& p, double still)
+  {
+    if ((p - queried_at_[i]).squaredNorm() < still * still)
+      return false;
+    queried_at_[i] = p;
+    return true;
+  }
+
+  Target on_curve(int curve, const Vector_3& p) const
+  {
+    const Curve_point c = surface_.curves[curve]->closest_point(p);
+    return Target::on_line(c.point, c.tangent);
+  }
+
+  // Of point i, now at p.
+  Target on_surface(std::size_t i, const Vector_3& p)
+  {
+    const Surface_point q = closest_point(i, p);
+    triangles_[i] = q.triangle;
+    return Target::on_plane(q.point, p, surface_.normal(q.triangle, q.coordinates));
+  }
+
+private:
+  static constexpr std::size_t no_triangle = static_cast<std::size_t>(-1);
+
+  Surface_point closest_point(std::size_t i, const Vector_3& p)
+  {
+    const std::size_t before = triangles_[i];
+    if (before == no_triangle)
+      return surface_.closest_point(p);
+    if (const std::optional<Surface_point> q = nearby_.closest(i, p, before, surface_.points, surface_, 0))
+      return *q;
+    const Surface_point bound = closest_point_of_triangle(p, before, surface_.points, surface_.triangles);
+    return surface_.closer_point(p, bound.point).value_or(bound);
+  }
+
+  const Reference_surface& surface_;
+  Positions queried_at_;               // where each point was
+  std::vector<std::size_t> triangles_; // that was the closest to each point
+  Nearby_triangles nearby_;            // to each point
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_TARGETS_H

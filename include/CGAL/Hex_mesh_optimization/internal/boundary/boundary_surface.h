@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_H
+
+// The boundary of a mesh as a triangle surface, and its sharp edges.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+inline Vector_3 face_area_vector(const Hexahedral_complex& complex, const Positions& points, int face)
+{
+  const std::array<int, 4>& q = complex.boundary_faces[face].vertices;
+  return (points[q[2]] - points[q[0]]).cross(points[q[3]] - points[q[1]]);
+}
+
+// The edges of the boundary whose two faces deviate from flat by more than the bound.
+inline Edge_list sharp_boundary_edges(const Hexahedral_complex& complex, const Positions& points, double angle_bound)
+{
+  const double bound = std::cos(angle_bound * CGAL_PI / 180);
+  Edge_list sharp;
+  for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges) {
+    const Vector_3 left = face_area_vector(complex, points, e.left), right = face_area_vector(complex, points, e.right);
+    if (left.dot(right) < bound * left.norm() * right.norm())
+      sharp.push_back(complex.edges[e.edge]);
+  }
+  return sharp;
+}
+
+inline double bounding_box_diagonal(const Triangle_surface& surface)
+{
+  Eigen::AlignedBox3d box;
+  for (const Triangle_indices& t : surface.triangles)
+    for (int v : t)
+      box.extend(surface.points[v]);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+// Quads of the mesh in triangles: 2f and 2f + 1 for face f. Its vertices keep the indices of the mesh; a quad is split from
+// its first corner, which in the order of hexahedron_faces is the split that most readers of boundary quads apply.
+inline std::vector<Triangle_indices> split_quads(const std::vector<std::array<int, 4>>& quads)
+{
+  std::vector<Triangle_indices> triangles;
+  triangles.reserve(2 * quads.size());
+  for (const std::array<int, 4>& q : quads) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+  return triangles;
+}
+
+inline std::vector<Triangle_indices> boundary_triangles(const Hexahedral_complex& complex)
+{
+  return split_quads(boundary_surface_faces(complex).quads);
+}
+
+// The boundary of the mesh as a reference of its own.
+inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex, const Positions& points,
+                                                                const Feature_parameters& features)
+{
+  return std::make_unique<Reference_surface>(points, boundary_triangles(complex),
+                                             sharp_boundary_edges(complex, points, features.angle_bound), false, features);
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_H

@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_SAMPLES_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_SAMPLES_H
+
+// Samples of what holds surface faces on the reference, with their targets: on
+// vertices, faces and edges of the mesh, and from the other side of the reference
+// and its feature curves.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Curve_links.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Reference_links.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Reference_targets.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Target.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// Lengths are in mean boundary edges unless something else is said.
+struct Boundary_sample_parameters
+{
+  // Weights of the samples, times the third power of the local edge: one for the distance, which is relative to it, and two
+  // for the area, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
+  double edge_weight = .5;
+  // Of samples of the reference, per area of one squared edge, and per edge length of a feature curve.
+  double pull_weight = 10.2;
+  double curve_pull_weight = .5;
+  double reference_spacing = .8;
+  // Factor for features.
+  double feature_weight = 4.6;
+  // Samples keep their targets until they have moved this far, in local edge lengths.
+  double still_distance = .02;
+
+  // Samples farther than this part of the bound of the deviation, if there is one, get heavier by the factor in each
+  // iteration, within the limit.
+  double strained_part = .9;
+  double straining = 1.5;
+  double largest_strain = 1e4;
+};
+
+// A point Σ share_k · vertex_k of a face and where it should be.
+struct Boundary_sample
+{
+  std::array<int, 4> vertices;
+  std::array<double, 4> shares;
+  int count; // of the vertices
+  int face;  // that has them all
+  double weight;
+  Vertex_kind kind;
+  int curve;
+  double scale = 0;  // of the distance: the local edge length
+  double strain = 1; // grows while the sample is farther than the bound of the deviation allows
+  Target target = {};
+
+  Vector_3 place(const Positions& points) const
+  {
+    Vector_3 p = Vector_3::Zero();
+    for (int k = 0; k < count; ++k)
+      p += shares[k] * points[vertices[k]];
+    return p;
+  }
+
+  // The part of the way to the target that counts.
+  Vector_3 offset(const Positions& points) const { return target.offset(place(points)); }
+};
+
+class Boundary_samples
+{
+public:
+  // lengths: the target lengths of the edges. maximum_deviation: the bound of all distances. The complex, the surface and
+  // the attachment must outlive the object.
+  Boundary_samples(const Hexahedral_complex& complex, Surface_faces faces, const Reference_surface& surface,
+                   const Boundary_attachment& attachment, const std::vector<double>& lengths, double maximum_deviation,
+                   const Boundary_sample_parameters& parameters)
+    : parameters_(parameters)
+    , maximum_deviation_(maximum_deviation)
+    , faces_(std::move(faces))
+    , attachment_(attachment)
+    , scale_(mean_lengths(complex, faces_, lengths))
+    , own_count_(add_samples(complex))
+    , targets_(surface, own_count_)
+    , reference_links_(faces_.quads, surface, parameters.reference_spacing)
+    , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
+  {}
+
+  // Finds the targets of all samples from the present positions. What has hardly moved keeps its own.
+  void update(const Positions& points)
+  {
+    for_each(own_count_, [&](std::size_t i) {
+      const Vector_3 p = samples_[i].place(points);
+      if (targets_.has_moved(i, p, parameters_.still_distance * samples_[i].scale))
+        aim(i, p);
+    }, searches_of_range);
+    const std::vector<Reference_links::Link>& links = reference_links_.update(points, parameters_.still_distance);
+    samples_.resize(own_count_ + links.size() + curve_links_.size()); // the same number each time, so that strains are kept
+    for_each(links.size(), [&](std::size_t i) {
+      if (links[i].is_new)
+        follow(links[i], samples_[own_count_ + i]);
+    });
+    for_each(curve_links_.size(), [&](std::size_t i) {
+      follow(curve_links_.link(i, points), points, samples_[own_count_ + links.size() + i]);
+    }, curve_searches_of_range);
+    if (std::isfinite(maximum_deviation_))
+      strain(points);
+    of_face_ = Grouped_array(faces_.quads.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
+                             [](std::size_t i) { return static_cast<int>(i); });
+  }
+
+  // Those of the mesh first, then those of the reference.
+  const std::vector<Boundary_sample>& samples() const { return samples_; }
+  const std::vector<std::array<int, 4>>& faces() const { return faces_.quads; }
+  // The samples on a face, each of which is on one face.
+  Grouped_array::Group of_face(std::size_t f) const { return of_face_[f]; }
+
+  // The farthest that a sample is from its target.
+  double largest_distance(const Positions& points) const
+  {
+    double largest = 0;
+    for (double of_range : results_of_ranges<double>(samples_.size(), [&](std::size_t begin, std::size_t end) {
+           double square = 0;
+           for (std::size_t i = begin; i < end; ++i)
+             square = (std::max)(square, samples_[i].offset(points).squaredNorm());
+           return square;
+         }))
+      largest = (std::max)(largest, of_range);
+    return std::sqrt(largest);
+  }
+
+  // By how much the bound of the deviation is exceeded.
+  double excess(const Positions& points) const
+  {
+    return std::isfinite(maximum_deviation_) ? (std::max)(0.0, largest_distance(points) - maximum_deviation_) : 0;
+  }
+
+private:
+  // A search takes some microseconds, one along a curve more.
+  static constexpr std::size_t searches_of_range = 256, curve_searches_of_range = 64;
+
+  // Of the edges of the faces around each vertex.
+  static std::vector<double> mean_lengths(const Hexahedral_complex& complex, const Surface_faces& faces, const std::vector<double>& lengths)
+  {
+    std::vector<double> sum(complex.number_of_vertices(), 0.0), count(complex.number_of_vertices(), 0.0);
+    for (const Surface_faces::Edge& e : faces.edges)
+      for (int v : complex.edges[e.edge]) {
+        sum[v] += lengths[e.edge];
+        ++count[v];
+      }
+    for (std::size_t v = 0; v < sum.size(); ++v)
+      sum[v] /= (std::max)(count[v], 1.0);
+    return sum;
+  }
+
+  // Gives a sample the weight that follows from what it is on.
+  void weigh(Boundary_sample& s) const
+  {
+    s.scale = 0;
+    for (int k = 0; k < s.count; ++k)
+      s.scale += scale_[s.vertices[k]] / s.count;
+    s.weight *= s.scale * s.scale * s.scale;
+    if (s.kind != Vertex_kind::SURFACE)
+      s.weight *= parameters_.feature_weight;
+  }
+
+  void add(const Boundary_sample& sample)
+  {
+    samples_.push_back(sample);
+    weigh(samples_.back());
+  }
+
+  // Those of the mesh. Returns how many.
+  std::size_t add_samples(const Hexahedral_complex& complex)
+  {
+    for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+      if (faces_.face_of_vertex[v] >= 0 && attachment_.kind[v] != Vertex_kind::FIXED)
+        add({{static_cast<int>(v)}, {1.0}, 1, faces_.face_of_vertex[v], 1.0, attachment_.kind[v], attachment_.curve[v]});
+    for (std::size_t f = 0; f < faces_.quads.size(); ++f)
+      add({faces_.quads[f], {.25, .25, .25, .25}, 4, static_cast<int>(f), 1.0, Vertex_kind::SURFACE, -1});
+    for (const Surface_faces::Edge& e : faces_.edges) {
+      const std::array<int, 2>& ends = complex.edges[e.edge];
+      const int curve = attachment_.curve_of_edge[e.edge];
+      add({{ends[0], ends[1]}, {.5, .5}, 2, e.face, parameters_.edge_weight,
+           curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE, curve});
+    }
+    return samples_.size();
+  }
+
+  void aim(std::size_t i, const Vector_3& p)
+  {
+    Boundary_sample& s = samples_[i];
+    if (s.kind == Vertex_kind::CORNER)
+      s.target = Target::at(attachment_.corner[s.vertices[0]]);
+    else if (s.kind == Vertex_kind::FEATURE)
+      s.target = targets_.on_curve(s.curve, p);
+    else
+      s.target = targets_.on_surface(i, p);
+  }
+
+  // A sample of the reference pulls the point of the faces that it is linked to.
+  void follow(const Reference_links::Link& link, Boundary_sample& s) const
+  {
+    const double strain = s.strain; // outlives the link
+    s = {{link.vertices[0], link.vertices[1], link.vertices[2], -1}, {link.weights[0], link.weights[1], link.weights[2], 0}, 3,
+         static_cast<int>(link.triangle / 2), parameters_.pull_weight, Vertex_kind::SURFACE, -1};
+    weigh(s);
+    s.weight *= link.area / (s.scale * s.scale);
+    s.target = Target::in_direction(link.sample, link.direction);
+    s.strain = strain;
+  }
+
+  // A sample of a feature curve pulls the point of an edge that it is linked to.
+  void follow(const Curve_links::Link& link, const Positions& points, Boundary_sample& s) const
+  {
+    const double strain = s.strain;
+    s = {{link.vertices[0], link.vertices[1]}, {link.shares[0], link.shares[1]}, 2, link.face, parameters_.curve_pull_weight,
+         Vertex_kind::FEATURE, -1};
+    weigh(s);
+    s.target = Target::on_plane(link.sample, s.place(points), Vector_3::UnitX());
+    s.strain = strain;
+  }
+
+  void strain(const Positions& points)
+  {
+    for (Boundary_sample& s : samples_)
+      if (s.offset(points).norm() > parameters_.strained_part * maximum_deviation_)
+        s.strain = (std::min)(s.strain * parameters_.straining, parameters_.largest_strain);
+  }
+
+  const Boundary_sample_parameters parameters_;
+  const double maximum_deviation_;
+  const Surface_faces faces_;
+  const Boundary_attachment& attachment_;
+  const std::vector<double> scale_; // of each vertex of the faces
+  std::vector<Boundary_sample> samples_;
+  const std::size_t own_count_; // of those of the mesh
+  Reference_targets targets_;   // of those of the mesh
+  Reference_links reference_links_;
+  const Curve_links curve_links_;
+  Grouped_array of_face_;
+};
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_SAMPLES_H

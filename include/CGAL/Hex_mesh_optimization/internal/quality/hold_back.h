@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_HOLD_BACK_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_HOLD_BACK_H
+
+// A step of all vertices, shortened where it would ruin single hexahedra: what
+// minimizes sums lets them collapse.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+// Halves the step at the vertices of hexahedra that are ruined by it, again and again, up to `rounds` times.
+// find_ruined(reached, is_ruined) tells for each hexahedron. Where ends_at_rest, it is taken back altogether in the last two
+// rounds. reached comes in as the end of the full step and is moved back with it. Returns the part of the step
+// that each vertex keeps. O(rounds · hexahedra).
+template <class Find_ruined>
+std::vector<double> hold_back(const Hexahedral_complex& complex, const Positions& before, const Positions& step, int rounds,
+                              bool ends_at_rest, const Find_ruined& find_ruined, Positions& reached)
+{
+  std::vector<double> share(step.size(), 1.0);
+  std::vector<char> is_ruined(complex.hexahedra.size());
+  for (int round = 0; round < rounds; ++round) {
+    find_ruined(reached, is_ruined);
+    std::vector<char> is_held(step.size(), false);
+    bool are_some_held = false;
+    for (std::size_t h = 0; h < is_ruined.size(); ++h)
+      if (is_ruined[h])
+        for (int v : complex.hexahedra[h])
+          is_held[v] = are_some_held = true;
+    if (!are_some_held)
+      break;
+    const bool is_last = ends_at_rest && round + 2 >= rounds;
+    for (std::size_t v = 0; v < step.size(); ++v)
+      if (is_held[v]) {
+        share[v] = is_last ? 0 : share[v] / 2;
+        reached[v] = before[v] + share[v] * step[v];
+      }
+  }
+  return share;
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_HOLD_BACK_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The order of the states of a mesh, rule by rule.
+
+#include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
+
+#include "../mesh_families.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+// Of some mesh, but with these figures
+Mesh_quality quality(std::size_t inverted, std::size_t invalid, double minimum)
+{
+  const Indexed_mesh mesh = mesh_families()[0]();
+  Mesh_quality result(mesh.complex(), positions(mesh));
+  result.inverted = inverted;
+  result.invalid = invalid;
+  result.minimum = minimum;
+  return result;
+}
+
+// States tell themselves apart by the x of their only point
+Positions state(double x) { return {Vector_3(x, 0, 0)}; }
+
+double best(const Best_state& b) { return b.points()[0].x(); }
+
+TEST(Best_state, counts_inverted_hexahedra_before_invalid_ones_and_these_before_demerits)
+{
+  Best_state b(state(0), quality(2, 3, -.5), 1, 0, {5, 5});
+  b.offer(state(1), quality(3, 3, .9), {0, 0});
+  EXPECT_EQ(best(b), 0);
+  b.offer(state(2), quality(1, 9, -.9), {9, 9});
+  EXPECT_EQ(best(b), 2);
+  b.offer(state(3), quality(1, 8, -.95), {9.5, 9});
+  EXPECT_EQ(best(b), 3);
+  b.offer(state(4), quality(1, 8, -.99), {1, 20});
+  EXPECT_EQ(best(b), 4);
+  b.offer(state(5), quality(1, 8, .5), {1, 21});
+  EXPECT_EQ(best(b), 4);
+  b.offer(state(6), quality(1, 8, -1), {1, 19});
+  EXPECT_EQ(best(b), 6);
+  EXPECT_EQ(b.inverted(), 1u);
+  EXPECT_EQ(b.invalid(), 8u);
+  EXPECT_EQ(b.minimum(), -1);
+}
+
+TEST(Best_state, of_equals_is_the_latest_that_does_not_fall_behind_the_highest)
+{
+  Best_state b(state(0), quality(0, 1, .5), 1, .01);
+  b.offer(state(1), quality(0, 1, .495));
+  EXPECT_EQ(best(b), 1);
+  EXPECT_EQ(b.highest_minimum(), .5);
+  b.offer(state(2), quality(0, 1, .4875)); // no farther behind the best, but behind the highest
+  EXPECT_EQ(best(b), 1);
+  b.offer(state(3), quality(0, 1, .6));
+  EXPECT_EQ(best(b), 3);
+  EXPECT_EQ(b.highest_minimum(), .6);
+
+  Best_state relative(state(0), quality(0, 1, .5), .9, 0);
+  relative.offer(state(1), quality(0, 1, .46));
+  EXPECT_EQ(best(relative), 1);
+  relative.offer(state(2), quality(0, 1, .44));
+  EXPECT_EQ(best(relative), 1);
+}
+
+TEST(Best_state, of_a_mesh_that_came_in_valid_never_has_a_lower_minimum)
+{
+  Best_state b(state(0), quality(0, 0, .5), .9, 0, {1, 0});
+  EXPECT_EQ(b.least_minimum(), .5);
+  b.offer(state(1), quality(0, 0, .49), {0, 0});
+  EXPECT_EQ(best(b), 0);
+  b.offer(state(2), quality(0, 0, .51), {0, 0});
+  EXPECT_EQ(best(b), 2);
+  EXPECT_EQ(Best_state(state(0), quality(0, 1, .5), 1, 0).least_minimum(), -1);
+}
+
+TEST(Best_state, reaches_a_target_only_if_it_is_valid)
+{
+  EXPECT_TRUE(Best_state(state(0), quality(0, 0, .5), 1, 0).reaches(.5));
+  EXPECT_FALSE(Best_state(state(0), quality(0, 0, .5), 1, 0).reaches(.51));
+  EXPECT_FALSE(Best_state(state(0), quality(0, 1, .5), 1, 0).reaches(.5));
+}
+
+} // namespace

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Steps of Newton's method on energies whose minimizers are known.
+
+#include <CGAL/Hex_mesh_optimization/internal/solver/newton_step.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+// Points drawn to their targets and, by springs, to the next ones; infinite beyond x = wall
+struct Springs
+{
+  Positions targets;
+  double wall = std::numeric_limits<double>::infinity();
+
+  double value(const Positions& points) const
+  {
+    double sum = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      if (points[v].x() > wall)
+        return std::numeric_limits<double>::infinity();
+      sum += (points[v] - targets[v]).squaredNorm() / 2;
+      if (v > 0)
+        sum += (points[v] - points[v - 1]).squaredNorm() / 2;
+    }
+    return sum;
+  }
+
+  void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  {
+    for (int v = 0; v < static_cast<int>(points.size()); ++v) {
+      gradient[v] += points[v] - targets[v];
+      matrix.add(v, v, Matrix_3::Identity());
+      if (v > 0) {
+        const Vector_3 d = points[v] - points[v - 1];
+        gradient[v] += d;
+        gradient[v - 1] -= d;
+        matrix.add(v, v, Matrix_3::Identity());
+        matrix.add(v - 1, v - 1, Matrix_3::Identity());
+        matrix.add(v, v - 1, -Matrix_3::Identity());
+      }
+    }
+  }
+};
+
+const int n = 6;
+
+Block_matrix chain_matrix()
+{
+  std::vector<int> row, column;
+  for (int v = 1; v < n; ++v) {
+    row.insert(row.end(), {v, v - 1});
+    column.insert(column.end(), {v - 1, v});
+  }
+  return Block_matrix(Grouped_array(n, row.size(), [&](std::size_t i) { return row[i]; }, [&](std::size_t i) { return column[i]; }));
+}
+
+Positions some_targets()
+{
+  Positions result;
+  for (int v = 0; v < n; ++v)
+    result.emplace_back(v, v * v % 5, 1);
+  return result;
+}
+
+const auto unrestricted = [](Positions&) {};
+
+TEST(Newton_step, reaches_the_minimum_of_a_quadratic_energy_at_once)
+{
+  const Springs energy{some_targets()};
+  Newton_parameters parameters;
+  parameters.tolerance = 1e-6;
+  Block_matrix matrix = chain_matrix();
+  Positions points(n, Vector_3(-1, 2, 0));
+  const double reached = newton_step(energy, std::vector<char>(n, false), unrestricted, parameters, matrix, points);
+  EXPECT_EQ(reached, energy.value(points));
+  Positions gradient(n, Vector_3::Zero());
+  energy.add_derivatives(points, gradient, matrix);
+  for (const Vector_3& g : gradient)
+    EXPECT_LT(g.norm(), 1e-5);
+}
+
+TEST(Newton_step, leaves_fixed_points_and_restricted_ones)
+{
+  const Springs energy{some_targets()};
+  Block_matrix matrix = chain_matrix();
+  const Positions start(n, Vector_3(-1, 2, 0));
+  Positions points = start;
+  std::vector<char> is_fixed(n, false);
+  is_fixed[2] = true;
+  newton_step(energy, is_fixed, [](Positions& step) { step[4] = Vector_3::Zero(); }, Newton_parameters(), matrix, points);
+  for (int v = 0; v < n; ++v)
+    EXPECT_EQ(points[v] == start[v], v == 2 || v == 4) << v;
+}
+
+TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
+{
+  const Springs energy{some_targets(), .5};
+  Block_matrix matrix = chain_matrix();
+  Positions points(n, Vector_3(0, 0, 0));
+  const double before = energy.value(points);
+  EXPECT_LT(newton_step(energy, std::vector<char>(n, false), unrestricted, Newton_parameters(), matrix, points), before);
+  for (const Vector_3& p : points)
+    EXPECT_LE(p.x(), .5);
+}
+
+} // namespace
