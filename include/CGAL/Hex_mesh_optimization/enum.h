@@ -73,9 +73,9 @@ inline const char* name(Stage stage)
  */
 enum class Return_code
 {
-  CONVERGED,              ///< Further iterations would not improve the mesh.
+  CONVERGED,              ///< Further iterations would not improve the mesh: the last stage ended as nothing was gained any more.
   TARGET_QUALITY_REACHED, ///< The minimum scaled Jacobian reached `target_quality`.
-  ITERATION_LIMIT,        ///< The number of iterations was used up while the mesh still improved.
+  ITERATION_LIMIT,        ///< The number of iterations of the last stage was used up while the mesh still changed.
   TIME_LIMIT,             ///< `maximum_running_time` was over.
   STOPPED_BY_VISITOR,     ///< The visitor asked to stop.
   NO_IMPROVEMENT          ///< Nothing better than the input was found: all positions are as they were.

@@ -62,20 +62,23 @@ public:
     const double enough = is_full ? (std::min)(0.0, target) : target;
     const std::size_t few = is_full ? static_cast<std::size_t>(parameters_.left_to_untangling * double(n)) : 0;
     Positions points = model_.points;
+    Stage_end end = Stage_end::CONVERGED; // of the last stage that the result comes from
 
     if (parameters_.method != Method::MAXIMIZATION && !control_.check_time()) {
       const bool starts_harmonic = 2 * report_.status.before.number_of_inverted > n;
       if (starts_harmonic)
         points = harmonic_positions();
-      rectify(points, enough, few);
+      end = rectify(points, enough, few);
       const Mesh_quality quality(mesh_.complex, points);
       const bool is_rectified = few > 0 ? quality.inverted <= few : quality.invalid == 0;
       if (!is_rectified && !starts_harmonic && !control_.is_stopped()) {
         // what the given interior locks, another start may not
         Positions other = harmonic_positions();
-        rectify(other, enough, few);
-        if (Mesh_quality(mesh_.complex, other).inverted < quality.inverted)
+        const Stage_end end_of_other = rectify(other, enough, few);
+        if (Mesh_quality(mesh_.complex, other).inverted < quality.inverted) {
           points = std::move(other);
+          end = end_of_other;
+        }
       }
     }
 
@@ -83,24 +86,26 @@ public:
       Mesh_quality quality(mesh_.complex, points);
       if (quality.inverted > 0) {
         const bool was_left = is_full && quality.inverted <= few;
-        untangle(points);
+        end = untangle(points);
         quality = Mesh_quality(mesh_.complex, points);
         if (was_left && quality.inverted > 0 && !control_.is_stopped()) {
           // those few are too much for untangling
           rectify(points, enough, 0);
-          untangle(points);
+          end = untangle(points);
           quality = Mesh_quality(mesh_.complex, points);
         }
       }
       const bool is_good = quality.invalid == 0 && quality.minimum >= target;
       if (quality.inverted == 0 && !is_good && !control_.is_stopped())
-        maximize(points);
+        end = maximize(points);
       samples_.reset();
     }
 
     report_.certify(model_.in_coordinates(points));
     Status& status = report_.status;
-    status.return_code = control_.is_stopped() ? control_.return_code() : report_.return_code(Return_code::CONVERGED);
+    status.return_code = control_.is_stopped()
+                           ? control_.return_code()
+                           : report_.return_code(end == Stage_end::ITERATION_LIMIT ? Return_code::ITERATION_LIMIT : Return_code::CONVERGED);
     status.iterations = control_.iterations;
     status.total_seconds = control_.seconds();
     return status;
@@ -132,25 +137,25 @@ private:
     return points;
   }
 
-  void rectify(Positions& points, double target, std::size_t tolerated)
+  Stage_end rectify(Positions& points, double target, std::size_t tolerated)
   {
     const Timer timer(control_, report_.status.rectification_seconds);
-    Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment, model_.lengths,
+    return Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment, model_.lengths,
                             parameters_.rectification)
       .run(points, control_, target, tolerated);
   }
 
-  void untangle(Positions& points)
+  Stage_end untangle(Positions& points)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
-    Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, model_.is_fixed, parameters_.untangling)
+    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, model_.is_fixed, parameters_.untangling)
       .run(points, control_);
   }
 
-  void maximize(Positions& points)
+  Stage_end maximize(Positions& points)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
-    Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths,
+    return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths,
                          model_.lengths_are_estimated ? &model_.relations : nullptr, model_.is_fixed, parameters_.maximization)
       .run(points, control_, parameters_.target_quality);
   }

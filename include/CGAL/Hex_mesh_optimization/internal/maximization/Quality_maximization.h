@@ -64,15 +64,15 @@ public:
 
   // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
   // Does nothing if a hexahedron is inverted.
-  void run(Positions& points, Run_control& control, double target_quality)
+  Stage_end run(Positions& points, Run_control& control, double target_quality)
   {
     Mesh_quality quality(complex_, points);
     if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
-      return;
+      return Stage_end::CONVERGED;
     const bool was_valid = quality.invalid == 0;
     Best_state best(points, quality, 1, parameters_.accepted_loss, {1, 0});
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
-    bool tightens = false;
+    bool tightens = false, used_up = false; // the iterations of a phase
     std::size_t waited = 0, settled = 0;
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
@@ -81,6 +81,7 @@ public:
       const bool is_done = is_high || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
       if (!tightens && (is_done || i == parameters_.climbing_iterations)) {
         tightens = true;
+        used_up = !is_done;
         weigh_shape(parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average));
         if (relations_)
           adapt_lengths(points);
@@ -113,16 +114,20 @@ public:
         settling.add(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, quality);
       const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held();
-      if (boundary_.tightness == 1 && ++settled >= (is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations))
+      const bool is_settled = !(excess > 0) && is_held && settling.iterations_without_change() >= parameters_.patience;
+      if (boundary_.tightness == 1 && ++settled >= (is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations)) {
+        used_up = used_up || !is_settled;
+        break;
+      }
+      if (is_settled)
         break;
       if (excess > 0)
         continue;
-      if (is_held && settling.iterations_without_change() >= parameters_.patience)
-        break;
       if (boundary_.tightness == 1 && quality.invalid == 0 && quality.minimum >= target_quality)
         break;
     }
     points = best.points();
+    return control.stage_end(used_up);
   }
 
 private:

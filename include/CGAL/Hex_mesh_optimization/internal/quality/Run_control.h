@@ -20,6 +20,14 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
+// Why a stage ended.
+enum class Stage_end
+{
+  CONVERGED,       // nothing was gained any more, or as much as was asked for
+  ITERATION_LIMIT, // the iterations were used up before
+  STOPPED          // by the time limit or the visitor
+};
+
 class Run_control
 {
 public:
@@ -55,6 +63,13 @@ public:
   }
 
   bool is_stopped() const { return stopped_; }
+
+  // Of a stage that otherwise ran into a limit of its iterations, or did not.
+  Stage_end stage_end(bool used_up) const
+  {
+    return stopped_ ? Stage_end::STOPPED : used_up ? Stage_end::ITERATION_LIMIT : Stage_end::CONVERGED;
+  }
+
   Return_code return_code() const { return return_code_; }
 
   std::size_t iterations = 0;

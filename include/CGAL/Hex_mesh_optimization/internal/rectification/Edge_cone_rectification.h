@@ -64,7 +64,7 @@ public:
 
   // Improves points until nothing moves, the target is reached or no more hexahedra are inverted than tolerated, or control
   // ends the run; leaves in them the best state met, the one that came in included.
-  void run(Positions& points, Run_control& control, double target_quality, std::size_t tolerated = 0)
+  Stage_end run(Positions& points, Run_control& control, double target_quality, std::size_t tolerated = 0)
   {
     const Mesh_quality given(complex_, points);
     // later states lie closer to the surface
@@ -74,12 +74,15 @@ public:
     const auto is_enough = [&] {
       return best.reaches(target_quality) || (tolerated > 0 && best.inverted() <= tolerated);
     };
+    bool used_up = false; // of what ran last
     for (std::size_t restart = 0; restart <= parameters_.restarts && !control.is_stopped(); ++restart) {
       global_.set_target_lengths(lengths_);
+      used_up = true;
       for (std::size_t i = 0; i < parameters_.iterations; ++i) {
         const double anchor = parameters_.tangential_anchor * std::pow(parameters_.tangential_fade, double(i));
         const bool moved = iterate(points, anchor, best, control, false);
-        if (control.is_stopped() || !moved || is_enough())
+        used_up = !control.is_stopped() && moved && !is_enough();
+        if (!used_up)
           break;
       }
       if (is_enough())
@@ -88,8 +91,9 @@ public:
         break;
     }
     if (parameters_.maximize_minimum_quality && best.invalid() == 0)
-      maximize_minimum(points, best, control, target_quality);
+      used_up = !maximize_minimum(points, best, control, target_quality);
     points = best.points();
+    return control.stage_end(used_up);
   }
 
 private:
@@ -227,8 +231,8 @@ private:
     return true;
   }
 
-  // Section 3.6. Stops when the worst cone of the mesh no longer improves.
-  void maximize_minimum(Positions& points, Best_state& best, Run_control& control, double target_quality)
+  // Section 3.6. Stops when the worst cone of the mesh no longer improves; false if the iterations are used up before.
+  bool maximize_minimum(Positions& points, Best_state& best, Run_control& control, double target_quality)
   {
     points = best.points();
     is_valid_ = true;
@@ -236,7 +240,7 @@ private:
     std::size_t since = 0;
     for (std::size_t i = 0; i < parameters_.maximization_iterations && since < parameters_.maximization_patience; ++i) {
       if (control.check_time() || best.reaches(target_quality))
-        return;
+        return true;
       const bool moved = iterate(points, 0, best, control, true);
       ++since;
       if (best.minimum() > highest + parameters_.maximization_gain) {
@@ -244,8 +248,9 @@ private:
         since = 0;
       }
       if (control.is_stopped() || !moved)
-        return;
+        return true;
     }
+    return since >= parameters_.maximization_patience;
   }
 
   const Hexahedral_complex& complex_;

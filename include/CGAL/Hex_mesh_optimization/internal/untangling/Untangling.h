@@ -75,11 +75,11 @@ public:
 
   // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and the
   // best worst one if none is inverted. Does nothing if none is.
-  void run(Positions& points, Run_control& control)
+  Stage_end run(Positions& points, Run_control& control)
   {
     Mesh_quality quality(complex_, points);
     if (quality.inverted == 0)
-      return;
+      return Stage_end::CONVERGED;
     Best_state best(points, quality, 1, 0);
     std::size_t since = 0, rings = parameters_.rings;
     const auto is_done = [&] {
@@ -104,6 +104,7 @@ public:
       control.after_iteration(Stage::UNTANGLING, i, energy, quality);
     }
     points = best.points();
+    return control.stage_end(false);
   }
 
 private:

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Why an optimization stopped: each return code where it is true, and the times of the stages.
+
+#include <CGAL/optimize_hex_mesh.h>
+
+#include "mesh_families.h"
+
+#include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace params = CGAL::parameters;
+using HMO::Method;
+using HMO::Return_code;
+using HMO::Status;
+
+Indexed_mesh block(std::size_t n)
+{
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{n, n, n}});
+  return mesh;
+}
+
+Indexed_mesh scrambled(Indexed_mesh mesh)
+{
+  HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
+  return mesh;
+}
+
+Indexed_mesh scrambled_ball()
+{
+  Indexed_mesh mesh;
+  HMO::make_ball(mesh.points, mesh.hexahedra, 3);
+  return scrambled(mesh);
+}
+
+template <class NamedParameters>
+Status optimized(Indexed_mesh mesh, const NamedParameters& np)
+{
+  return CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
+}
+
+// What a block can be is soon reached
+TEST(Return_code, is_converged_where_nothing_is_gained_any_more)
+{
+  for (Method method : {Method::FULL, Method::MAXIMIZATION}) {
+    const Status status = optimized(scrambled(block(4)), params::optimization_method(method));
+    EXPECT_EQ(status.return_code, Return_code::CONVERGED);
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_GT(status.after.minimum, .999);
+  }
+}
+
+TEST(Return_code, is_the_target_quality_where_that_is_reached)
+{
+  for (Method method : {Method::FULL, Method::RECTIFICATION, Method::MAXIMIZATION}) {
+    const Status status = optimized(scrambled(block(4)), params::optimization_method(method).target_quality(.3));
+    EXPECT_EQ(status.return_code, Return_code::TARGET_QUALITY_REACHED);
+    EXPECT_GE(status.after.minimum, .3);
+  }
+}
+
+// The same run, with fewer iterations and with enough of them
+TEST(Return_code, is_the_iteration_limit_where_iterations_are_used_up)
+{
+  const auto run = [](std::size_t iterations) {
+    return optimized(scrambled_ball(), params::optimization_method(Method::RECTIFICATION)
+                                         .number_of_iterations(iterations)
+                                         .number_of_restarts(0)
+                                         .maximize_minimum_quality(false));
+  };
+  for (std::size_t iterations : {1, 2, 5}) {
+    const Status status = run(iterations);
+    EXPECT_EQ(status.return_code, Return_code::ITERATION_LIMIT);
+    EXPECT_EQ(status.iterations, iterations);
+  }
+  const Status status = run(10000);
+  EXPECT_EQ(status.return_code, Return_code::CONVERGED);
+  EXPECT_LT(status.iterations, 10000u);
+}
+
+TEST(Return_code, is_the_time_limit_where_time_is_over)
+{
+  const Status status = optimized(scrambled_ball(), params::maximum_running_time(0));
+  EXPECT_EQ(status.return_code, Return_code::TIME_LIMIT);
+  EXPECT_EQ(status.iterations, 0u);
+}
+
+TEST(Return_code, is_that_of_the_visitor_where_it_asked_to_stop)
+{
+  struct Third
+  {
+    bool on_iteration(const HMO::Iteration&) { return ++calls < 3; }
+    int calls = 0;
+  };
+  const Status status = optimized(scrambled_ball(), params::visitor(Third()));
+  EXPECT_EQ(status.return_code, Return_code::STOPPED_BY_VISITOR);
+  EXPECT_EQ(status.iterations, 3u);
+}
+
+TEST(Return_code, is_no_improvement_where_there_is_none)
+{
+  for (Method method : {Method::FULL, Method::RECTIFICATION, Method::MAXIMIZATION}) {
+    const Status status = optimized(block(3), params::optimization_method(method).fixed_boundary(true));
+    EXPECT_EQ(status.return_code, Return_code::NO_IMPROVEMENT);
+    EXPECT_EQ(status.after.minimum, status.before.minimum);
+  }
+}
+
+TEST(Status, has_time_for_those_stages_only_that_ran)
+{
+  struct Stages
+  {
+    bool on_iteration(const HMO::Iteration& i) { return has_run[static_cast<int>(i.stage)] = true; }
+    bool has_run[3] = {};
+  };
+  for (Method method : {Method::FULL, Method::RECTIFICATION, Method::MAXIMIZATION}) {
+    Stages stages;
+    const Status status = optimized(scrambled_ball(), params::optimization_method(method).visitor(std::ref(stages)));
+    const double seconds[3] = {status.rectification_seconds, status.untangling_seconds, status.maximization_seconds};
+    for (int stage = 0; stage < 3; ++stage)
+      EXPECT_EQ(seconds[stage] > 0, stages.has_run[stage]) << stage;
+    EXPECT_LE(seconds[0] + seconds[1] + seconds[2], status.total_seconds);
+  }
+}
+
+} // namespace
