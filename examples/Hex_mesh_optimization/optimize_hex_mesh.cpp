@@ -274,7 +274,7 @@ const char* in_words(HMO::Return_code code)
   switch (code) {
   case HMO::Return_code::CONVERGED: return "further iterations would not improve the mesh";
   case HMO::Return_code::TARGET_QUALITY_REACHED: return "the target quality is reached";
-  case HMO::Return_code::ITERATION_LIMIT: return "the iterations were used up while the mesh still improved";
+  case HMO::Return_code::ITERATION_LIMIT: return "the iterations of the last stage were used up while the mesh still changed";
   case HMO::Return_code::TIME_LIMIT: return "the time limit was reached";
   case HMO::Return_code::STOPPED_BY_VISITOR: return "interrupted";
   case HMO::Return_code::NO_IMPROVEMENT: return "nothing better than the input was found, which is unchanged";
