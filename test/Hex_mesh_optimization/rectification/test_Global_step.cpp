@@ -25,7 +25,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <memory>
 #include <random>
@@ -76,7 +75,7 @@ struct Setting
   double anchor = 0;
   std::vector<Reference_links::Link> links;
   std::vector<double> link_weights;
-  double worst_cosine_of_mesh = std::numeric_limits<double>::quiet_NaN();
+  double worst_cosine = 0;
 
   template <class Make>
   Setting(unsigned int seed, Make make) : Setting(seed, Generated_mesh::generated(make)) {}
@@ -134,8 +133,7 @@ struct Setting
         continue; // the target is worse than 90 degrees
       const int i = complex.source(int(d)), j = complex.target(int(d));
       const double normalization = ((start[j] - start[i]).norm() + lengths[d / 2]) / 2;
-      const double omega = std::isnan(worst_cosine_of_mesh) ? 0 : worst_cosine_of_mesh;
-      const double angle_weight = 1 + 10 * std::exp(-std::pow(targets[d].worst_cosine - omega, 2) / (2 * .3 * .3));
+      const double angle_weight = 1 + 10 * std::exp(-std::pow(targets[d].worst_cosine - worst_cosine, 2) / (2 * .3 * .3));
       sum += angle_weight * weight[d] * ((x[j] - x[i]) / normalization - targets[d].direction).squaredNorm();
     }
     return sum;
@@ -214,14 +212,15 @@ struct Setting
     return energy(x, start, std::vector<double>(targets.size(), 1.0));
   }
 
-  std::unique_ptr<Global_step> global_step() const
+  // is_fixed: no vertex is if empty
+  std::unique_ptr<Global_step> global_step(std::vector<char> is_fixed = {}) const
   {
-    auto step = std::make_unique<Global_step>(complex, relations, cones, parameters);
+    is_fixed.resize(complex.number_of_vertices(), false);
+    auto step = std::make_unique<Global_step>(complex, relations, cones, is_fixed, parameters);
     step->set_target_lengths(lengths);
     step->set_boundary(*surface, *attachment, feet_on(*surface, tangled), weights, anchor, tangled);
     if (!links.empty())
       step->set_reference_pull(links, link_weights);
-    step->worst_cosine_of_mesh = worst_cosine_of_mesh;
     return step;
   }
 
@@ -229,9 +228,7 @@ struct Setting
   double energy_of_system(Positions x) const
   {
     const Positions before = x;
-    const auto step = global_step();
-    step->fix(std::vector<char>(x.size(), true));
-    const double result = step->minimize(targets, x);
+    const double result = global_step(std::vector<char>(x.size(), true))->minimize(targets, worst_cosine, x);
     EXPECT_EQ(x, before);
     return result;
   }
@@ -239,10 +236,7 @@ struct Setting
   Positions minimized(const Positions& start, const std::vector<char>& is_fixed = {}) const
   {
     Positions x = start;
-    const auto step = global_step();
-    if (!is_fixed.empty())
-      step->fix(is_fixed);
-    step->minimize(targets, x);
+    global_step(is_fixed)->minimize(targets, worst_cosine, x);
     return x;
   }
 };
@@ -281,7 +275,7 @@ void for_all_settings(Test test)
           w = uniform(random);
         break;
       case 4:
-        s.worst_cosine_of_mesh = .23; // eq. 27
+        s.worst_cosine = .23; // eq. 27
         s.parameters.regularization_weight = .3;
         s.parameters.cone_weight = .1;
         break;
@@ -349,7 +343,7 @@ TEST(Global_step, returns_the_energy_it_reached)
 {
   for_all_settings([](const Setting& s, std::mt19937&) {
     Positions x = s.tangled;
-    const double energy = s.global_step()->minimize(s.targets, x);
+    const double energy = s.global_step()->minimize(s.targets, s.worst_cosine, x);
     EXPECT_NEAR(energy, s.energy(x, s.tangled), 1e-9 * energy);
   });
 }
@@ -411,16 +405,16 @@ TEST(Global_step, forgets_what_it_was_set_before)
   const Setting s = tangled_block(1);
   const auto step = s.global_step();
   Positions x = s.tangled;
-  step->minimize(s.targets, x);
+  step->minimize(s.targets, s.worst_cosine, x);
   // other lengths and another boundary in between
   step->set_target_lengths(std::vector<double>(s.lengths.size(), 2.0));
   step->set_boundary(*s.surface, *s.attachment, feet_on(*s.surface, s.regular), std::vector<double>(s.weights.size(), 5.0), 3, s.regular);
   x = s.tangled;
-  step->minimize(s.targets, x);
+  step->minimize(s.targets, s.worst_cosine, x);
   step->set_target_lengths(s.lengths);
   step->set_boundary(*s.surface, *s.attachment, feet_on(*s.surface, s.tangled), s.weights, s.anchor, s.tangled);
   x = s.tangled;
-  step->minimize(s.targets, x);
+  step->minimize(s.targets, s.worst_cosine, x);
   EXPECT_EQ(x, s.minimized(s.tangled));
 }
 

@@ -40,6 +40,14 @@ struct Boundary_attachment
         kind[v] = Vertex_kind::SURFACE;
   }
 
+  std::vector<char> fixed_vertices() const
+  {
+    std::vector<char> is_fixed(kind.size());
+    for (std::size_t v = 0; v < kind.size(); ++v)
+      is_fixed[v] = kind[v] == Vertex_kind::FIXED;
+    return is_fixed;
+  }
+
   void to_corner(int v, const Vector_3& place)
   {
     kind[v] = Vertex_kind::CORNER;

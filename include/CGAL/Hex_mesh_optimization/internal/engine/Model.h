@@ -50,7 +50,7 @@ public:
     , points(in_units(mesh.points))
     , surface(reference ? given_reference(*reference, parameters.features) : own_reference(parameters.features))
     , attachment(attached(is_frozen, parameters.fixed_boundary))
-    , is_fixed(fixed_vertices(attachment))
+    , is_fixed(attachment.fixed_vertices())
     , relations(mesh.complex)
     , lengths_are_estimated(!parameters.target_length && parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED)
     , lengths(target_lengths(parameters))
@@ -147,14 +147,6 @@ private:
     for (std::size_t v = 0; v < frozen.size(); ++v)
       if (frozen[v] || (fixed_boundary && mesh.complex.is_on_boundary[v]))
         result.kind[v] = Vertex_kind::FIXED;
-    return result;
-  }
-
-  static std::vector<char> fixed_vertices(const Boundary_attachment& attachment)
-  {
-    std::vector<char> result;
-    for (Vertex_kind kind : attachment.kind)
-      result.push_back(kind == Vertex_kind::FIXED);
     return result;
   }
 

@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,17 +49,12 @@ public:
     , parameters_(parameters)
     , lengths_(std::move(lengths))
     , cones_(complex)
-    , global_(complex, relations, cones_, parameters_)
+    , global_(complex, relations, cones_, attachment.fixed_vertices(), parameters_)
     , links_(boundary_surface_faces(complex).quads, surface, parameters.reference_spacing)
     , weights_(complex.number_of_vertices(), 1.0)
     , feet_(complex.number_of_vertices())
     , targets_(cones_.size())
-  {
-    std::vector<char> is_fixed(complex.number_of_vertices());
-    for (std::size_t v = 0; v < is_fixed.size(); ++v)
-      is_fixed[v] = attachment.kind[v] == Vertex_kind::FIXED;
-    global_.fix(is_fixed);
-  }
+  {}
 
   // Improves points until nothing moves, the target is reached or no more hexahedra are inverted than tolerated, or control
   // ends the run; leaves in them the best state met, the one that came in included.
@@ -104,12 +98,12 @@ private:
       if (is_smooth(static_cast<int>(v)))
         feet_[v] = surface_.foot_point(points[v], feet_[v].hint);
     }, 64);
-    local_step(points, maximizing);
+    const double worst_cosine = local_step(points, maximizing);
     global_.set_boundary(surface_, attachment_, feet_, weights_, anchor, points);
     if (best.invalid() == 0)
       pull_reference(points);
     const Positions before = points;
-    const double energy = global_.minimize(targets_, points);
+    const double energy = global_.minimize(targets_, worst_cosine, points);
     if (is_valid_)
       hold_back_ruinous(before, points);
     const Mesh_quality quality(complex_, points);
@@ -156,7 +150,8 @@ private:
 
   bool is_smooth(int v) const { return attachment_.kind[v] == Vertex_kind::SURFACE; }
 
-  void local_step(const Positions& points, bool maximizing)
+  // Returns the cosine of the worst cone when maximizing, once all are valid, and else 0.
+  double local_step(const Positions& points, bool maximizing)
   {
     cones_.update_normals(points);
     const double threshold = std::cos(parameters_.cone_angle_bound * CGAL_PI / 180);
@@ -168,7 +163,7 @@ private:
            return worst_of_range;
          }, 256))
       worst_of_mesh = (std::min)(worst_of_mesh, worst);
-    global_.worst_cosine_of_mesh = maximizing && worst_of_mesh > 0 ? worst_of_mesh : std::numeric_limits<double>::quiet_NaN();
+    return maximizing ? (std::max)(0.0, worst_of_mesh) : 0;
   }
 
   // Decides for one cone. Returns the worst cosine that it has now, when maximizing.

@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -32,8 +31,9 @@ namespace internal {
 class Global_step
 {
 public:
+  // All but is_fixed, of the vertices, must outlive the object.
   Global_step(const Hexahedral_complex& complex, const Edge_relations& relations, const Edge_cones& cones,
-              const Rectification_parameters& parameters)
+              const std::vector<char>& is_fixed, const Rectification_parameters& parameters)
     : complex_(complex)
     , relations_(relations)
     , cones_(cones)
@@ -46,6 +46,7 @@ public:
     , linear_(complex.edges.size())
     , penalty_weight_(2 * complex.edges.size(), 1.0)
   {
+    system_.is_fixed = is_fixed;
     for (std::size_t e = 0; e < edge_slots_.size(); ++e)
       edge_slots_[e] = {system_.slot(complex.edges[e][0], complex.edges[e][1]), system_.slot(complex.edges[e][1], complex.edges[e][0])};
   }
@@ -61,8 +62,6 @@ public:
     regularization_diagonal_ = system_.diagonal;
     regularization_couplings_ = system_.couplings();
   }
-
-  void fix(const std::vector<char>& is_fixed) { system_.is_fixed = is_fixed; }
 
   // Sets the quadratic boundary terms at the current positions (eq. 21), each
   // times the weight of its vertex, and the pull towards the current place
@@ -121,9 +120,11 @@ public:
     }
   }
 
-  // One global step with its penalty iterations. Returns the energy of eq. 25.
-  double minimize(const std::vector<Target_direction>& targets, Positions& points)
+  // One global step with its penalty iterations, for the lengths, the boundary and the pull set before. worst_cosine: of all
+  // cones in eq. 27, and 0 makes eq. 16 of it. Returns the energy of eq. 25.
+  double minimize(const std::vector<Target_direction>& targets, double worst_cosine, Positions& points)
   {
+    worst_cosine_ = worst_cosine;
     std::fill(penalty_weight_.begin(), penalty_weight_.end(), 1.0);
     std::vector<double> start_length(complex_.edges.size()); // |e| at the beginning of the step
     for (std::size_t e = 0; e < start_length.size(); ++e)
@@ -153,9 +154,6 @@ public:
   {
     return points[complex_.target(directed)] - points[complex_.source(directed)];
   }
-
-  // cosine of the worst cone where eq. 27 replaces eq. 16; NaN while it does not
-  double worst_cosine_of_mesh = std::numeric_limits<double>::quiet_NaN();
 
 private:
   static std::vector<std::array<int, 2>> couplings(const Hexahedral_complex& complex, const Edge_relations& relations)
@@ -195,11 +193,10 @@ private:
 
   double normalization(int e, double start_length) const { return (start_length + lengths_[e]) / 2; }
 
-  // eq. 16, or eq. 27 once every cone is valid
+  // eq. 16 and 27
   double angle_weight(double cosine) const
   {
-    const double from = std::isnan(worst_cosine_of_mesh) ? 0.0 : worst_cosine_of_mesh;
-    const double x = (cosine - from) / parameters_.angle_weight_sigma;
+    const double x = (cosine - worst_cosine_) / parameters_.angle_weight_sigma;
     return 1 + parameters_.angle_weight_amplitude * std::exp(-x * x / 2);
   }
 
@@ -294,7 +291,7 @@ private:
   Positions boundary_right_;
   std::vector<Reference_links::Link> links_;
   std::vector<double> link_weights_;
-  double boundary_constant_ = 0, constant_ = 0;
+  double boundary_constant_ = 0, constant_ = 0, worst_cosine_ = 0;
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal
