@@ -26,6 +26,8 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 // Distances are in units of the local edge length.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
+// hexahedra.
 struct Boundary_parameters
 {
   // Slope of the energy over the distance d, in a mesh whose mean boundary edge is one fiftieth of the diagonal of the

@@ -33,6 +33,8 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 // Lengths are in mean boundary edges unless something else is said.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
+// hexahedra.
 struct Boundary_sample_parameters
 {
   // Weights of the samples, times the third power of the local edge: one for the distance, which is relative to it, and two

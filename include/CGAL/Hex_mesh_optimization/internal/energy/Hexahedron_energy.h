@@ -17,6 +17,8 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
+// hexahedra.
 struct Hexahedron_energy_parameters
 {
   // Keeps the root of the norm differentiable at a perfect hexahedron.

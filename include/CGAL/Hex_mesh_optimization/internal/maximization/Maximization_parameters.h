@@ -18,6 +18,8 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
+// hexahedra.
 struct Maximization_parameters
 {
   // Once the mesh has relaxed, both weights of the shape are multiplied by balance / (offset + 1 − average scaled Jacobian): the nearer the

@@ -21,6 +21,8 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
+// hexahedra.
 struct Floor_parameters
 {
   // While it rises it stands this far above the worst corner, at most, no higher than the limit, and where this part of the

@@ -24,6 +24,9 @@ namespace internal {
 //   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
 //     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
 //
+// is_fixed stands for the directions in which a point may move, all or none of them: the only other place that knows is
+// Block_matrix::solve(), where the inverse of a diagonal block is restricted to them.
+//
 // restrict_step(direction) may shorten the steps of single points. Moves the points that are not fixed and returns the
 // energy reached.
 template <class Energy, class Restrict>
