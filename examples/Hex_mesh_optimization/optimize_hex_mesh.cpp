@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
@@ -50,8 +51,8 @@ using Json = nlohmann::ordered_json;
 
 enum Exit_code
 {
-  VALID_MESH = 0,
-  INVALID_ELEMENTS_REMAIN = 1,
+  ALL_IS_MET = 0,
+  SOMETHING_IS_NOT_MET = 1,
   USAGE_ERROR = 2,
   UNUSABLE_FILE = 3
 };
@@ -63,7 +64,7 @@ const char* const exit_codes =
   "\n"
   "Exit codes:\n"
   "  0  OUTPUT is written and valid\n"
-  "  1  OUTPUT is written, but invalid hexahedra remain\n"
+  "  1  OUTPUT is written, but invalid hexahedra remain, or --max-deviation is not met\n"
   "  2  wrong usage; nothing is written\n"
   "  3  a file cannot be read, used or written, or memory is short; OUTPUT is not written";
 
@@ -74,6 +75,7 @@ struct Options
   std::string input, output, reference, frozen, json;
   double features_angle = defaults.features.angle_bound;
   bool fixed_boundary = defaults.fixed_boundary;
+  bool on_surface = defaults.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
   std::string method = "full";
   std::string edge_lengths = "estimated";
   std::size_t iterations = defaults.rectification.iterations;
@@ -97,6 +99,7 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--features-angle", o.features_angle, "an edge is sharp if the normals beside it differ by more than this")
     ->type_name("DEGREES")->check(CLI::Range(0., 180.).description(""))->capture_default_str();
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
+  app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the reference exactly");
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")->type_name("FILE");
   app.add_option("--method", o.method, "rectification or the maximization of quality alone, or one after the other (full)")
     ->type_name("METHOD")->check(CLI::IsMember({"full", "rectification", "maximization"}))->capture_default_str();
@@ -248,6 +251,7 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
   const auto np =
     CGAL::parameters::features_angle_bound(o.features_angle)
       .fixed_boundary(o.fixed_boundary)
+      .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE)
       .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
       .optimization_method(o.method == "full"            ? HMO::Method::FULL
                            : o.method == "rectification" ? HMO::Method::RECTIFICATION
@@ -277,6 +281,7 @@ const char* in_words(HMO::Return_code code)
   case HMO::Return_code::ITERATION_LIMIT: return "the iterations of the last stage were used up while the mesh still changed";
   case HMO::Return_code::TIME_LIMIT: return "the time limit was reached";
   case HMO::Return_code::STOPPED_BY_VISITOR: return "interrupted";
+  case HMO::Return_code::DEVIATION_BOUND_NOT_MET: return "the boundary is not shown to be as close to the reference as asked for";
   case HMO::Return_code::NO_IMPROVEMENT: return "nothing better than the input was found, which is unchanged";
   }
   return "";
@@ -295,6 +300,17 @@ void print_row(const std::string& title, const std::string& before, const std::s
   std::cout << std::left << std::setw(32) << title << std::right << std::setw(12) << before << std::setw(12) << after << '\n';
 }
 
+void print_connectivity_limits(const HMO::Status& status)
+{
+  const std::vector<HMO::Connectivity_limit>& limits = status.connectivity_limits;
+  const std::size_t reached = std::count_if(limits.begin(), limits.end(), [](const auto& l) { return l.is_reached(); });
+  if (reached > 0)
+    std::cout << reached << " hexahedra are at the limit that the connectivity sets (--json lists them with reasons).\n";
+  if (limits.size() > reached)
+    std::cout << limits.size() - reached << (reached > 0 ? " more" : " hexahedra")
+              << " have a limit below 1 from the connectivity and are below it.\n";
+}
+
 void print_report(const HMO::Status& status, const Mesh& mesh)
 {
   const auto row = [&status](const char* title, auto HMO::Quality_statistics::*number) {
@@ -308,8 +324,11 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   row("mean scaled Jacobian", &HMO::Quality_statistics::average);
   row("standard deviation", &HMO::Quality_statistics::standard_deviation);
   row("99th percentile of edge ratio", &HMO::Quality_statistics::edge_ratio_99);
+  print_row("volume", text(status.volume_before), text(status.volume_after));
   print_row("average deviation / diagonal", "", text(status.deviation.average_relative));
   print_row("maximum deviation / diagonal", "", text(status.deviation.maximum_relative));
+  if (std::isfinite(status.deviation_bound))
+    print_row("certified maximum, as a length", "", text(status.deviation.certified));
   print_row("seconds", "", text(status.total_seconds));
   print_row("  of rectification", "", text(status.rectification_seconds));
   print_row("  of untangling", "", text(status.untangling_seconds));
@@ -319,11 +338,13 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   if (status.orientation_reversed)
     std::cout << "The hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
   if (!status.is_within_deviation_bound())
-    std::cout << "THE BOUND OF THE DEVIATION IS NOT MET: the maximum is " << text(status.deviation.maximum) << ", the bound "
-              << text(status.deviation_bound) << ".\n";
-  if (!status.connectivity_limits.empty())
-    std::cout << text(status.connectivity_limits.size()) << " hexahedra are as good as their connectivity allows"
-              << " (--json lists them with reasons).\n";
+    std::cout << "THE BOUND OF THE DEVIATION IS NOT " << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
+              << ": the maximum is between " << text(status.deviation.maximum) << " and " << text(status.deviation.certified)
+              << ", the bound " << text(status.deviation_bound) << ".\n";
+  if (!status.released_vertices.empty())
+    std::cout << text(status.released_vertices.size()) << " vertices could not be brought to the corners, curves or faces of the reference"
+              << " that they belong to (--json lists them).\n";
+  print_connectivity_limits(status);
   if (status.valid_mesh()) {
     std::cout << "The mesh is valid.\n";
     return;
@@ -347,6 +368,7 @@ Json json(HMO::Return_code code)
   case HMO::Return_code::ITERATION_LIMIT: return "ITERATION_LIMIT";
   case HMO::Return_code::TIME_LIMIT: return "TIME_LIMIT";
   case HMO::Return_code::STOPPED_BY_VISITOR: return "STOPPED_BY_VISITOR";
+  case HMO::Return_code::DEVIATION_BOUND_NOT_MET: return "DEVIATION_BOUND_NOT_MET";
   case HMO::Return_code::NO_IMPROVEMENT: return "NO_IMPROVEMENT";
   }
   return Json();
@@ -396,6 +418,7 @@ Json json(const Options& o)
           {"reference", o.reference.empty() ? Json() : Json(o.reference)},
           {"features_angle", o.features_angle},
           {"fixed_boundary", o.fixed_boundary},
+          {"on_surface", o.on_surface},
           {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
           {"method", o.method},
           {"edge_lengths", o.edge_lengths},
@@ -416,17 +439,26 @@ Json json(const HMO::Status& status, const Mesh& mesh)
   }
   Json limits = Json::array();
   for (const HMO::Connectivity_limit& l : status.connectivity_limits)
-    limits.push_back({{"hexahedron", l.hexahedron}, {"reason", HMO::description(l.reason)}, {"largest_scaled_jacobian", l.largest_scaled_jacobian}});
+    limits.push_back({{"hexahedron", l.hexahedron},
+                      {"reason", HMO::description(l.reason)},
+                      {"largest_scaled_jacobian", l.largest_scaled_jacobian},
+                      {"scaled_jacobian", l.scaled_jacobian},
+                      {"is_reached", l.is_reached()}});
   return {{"return_code", json(status.return_code)},
           {"valid_mesh", status.valid_mesh()},
           {"orientation_reversed", status.orientation_reversed},
           {"before", json(status.before)},
           {"after", json(status.after)},
+          {"volume_before", status.volume_before},
+          {"volume_after", status.volume_after},
           {"deviation",
            {{"average", status.deviation.average},
             {"maximum", status.deviation.maximum},
             {"average_relative", status.deviation.average_relative},
-            {"maximum_relative", status.deviation.maximum_relative}}},
+            {"maximum_relative", status.deviation.maximum_relative},
+            {"certified", status.deviation.certified},
+            {"bilinear", status.deviation.bilinear}}},
+          {"is_within_deviation_bound", status.is_within_deviation_bound()},
           {"iterations", status.iterations},
           {"rectification_seconds", status.rectification_seconds},
           {"untangling_seconds", status.untangling_seconds},
@@ -435,6 +467,7 @@ Json json(const HMO::Status& status, const Mesh& mesh)
           {"deviation_bound", status.deviation_bound},
           {"invalid_hexahedra", invalid},
           {"locked_hexahedra", status.locked_hexahedra},
+          {"released_vertices", status.released_vertices},
           {"connectivity_limits", limits}};
 }
 
@@ -473,7 +506,7 @@ Exit_code run(const Options& options)
     print_report(status, mesh);
   if (!options.json.empty())
     write_json(options, status, mesh, iterations);
-  return status.valid_mesh() ? VALID_MESH : INVALID_ELEMENTS_REMAIN;
+  return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
 }
 
 int main(int argc, char** argv)

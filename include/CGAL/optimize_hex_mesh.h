@@ -136,8 +136,9 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * part of the reference.
  *
  * What the call guarantees for every input it accepts:
- * - the number of inverted hexahedra does not rise; a valid mesh stays valid and its minimum scaled Jacobian does not
- *   fall: if the optimization finds nothing better, all positions stay;
+ * - the number of inverted hexahedra does not rise, a valid mesh stays valid, and if its boundary is within what is tolerated,
+ *   that stays so and its minimum scaled Jacobian does not fall: if the optimization finds nothing better in the
+ *   \ref HexMeshOptimizationOrder "order of goals", all positions stay;
  * - constrained vertices, and all boundary vertices if the boundary is fixed, keep their coordinates bit for bit;
  * - if it throws, no vertex has moved;
  * - the result does not depend on the unit of length, up to rounding.
@@ -184,6 +185,13 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_placement}
+ *     \cgalParamDescription{where the vertices of the boundary have to be: within what is tolerated, corners on the corners of the
+ *                           reference; or all of them on what they are attached to exactly, sliding along the surface and its
+ *                           feature curves}
+ *     \cgalParamType{`Hex_mesh_optimization::Boundary_placement`}
+ *     \cgalParamDefault{`Hex_mesh_optimization::Boundary_placement::WITHIN_TOLERANCE`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{optimization_method}
  *     \cgalParamDescription{which stages are run}
  *     \cgalParamType{`Hex_mesh_optimization::Method`}
@@ -197,7 +205,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{how far the boundary of the mesh and the reference may be from each other, as a length, in both
  *                           directions. The bound comes before the quality, but after validity. Whether the result obeys it
- *                           is measured: `Status::is_within_deviation_bound()`.}
+ *                           is certified: `Status::is_within_deviation_bound()`; where it does not, the return code is
+ *                           `Return_code::DEVIATION_BOUND_NOT_MET`.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{none: deviation is weighed against quality, and grows expensive from about a fifth of an edge on}
  *   \cgalParamNEnd
@@ -277,7 +286,7 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *
  * \throws Hex_mesh_optimization::Input_error if the mesh is empty, has a cell that is no hexahedron, a hexahedron with a
  *         repeated vertex, a coordinate that is not finite, or a boundary that is not a manifold; if the reference is
- *         empty, not triangulated, or has a coordinate that is not finite; or if a parameter has no usable value
+ *         empty, not triangulated, has a coordinate that is not finite, or has a size or a place that cannot belong to the mesh; or if a parameter has no usable value
  *
  * Source: Marco Livesu, Alla Sheffer, Nicholas Vining, Marco Tarini, <em>Practical Hex-Mesh Optimization via Edge-Cone
  * Rectification</em>, ACM Transactions on Graphics 34(4), 2015.

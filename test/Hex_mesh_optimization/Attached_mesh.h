@@ -7,6 +7,7 @@
 // A mesh with all that its energies need, attached to its own boundary.
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
@@ -67,6 +68,13 @@ struct Attached_mesh
   Boundary_samples samples() const
   {
     return Boundary_samples(complex, boundary_surface_faces(complex), *surface, attachment, lengths, maximum_deviation, boundary.samples);
+  }
+
+  using Placement = CGAL::Hex_mesh_optimization::Boundary_placement;
+
+  Sliding sliding(Placement placement = Placement::WITHIN_TOLERANCE) const
+  {
+    return Sliding(*surface, attachment, placement, points);
   }
 
   Distance_energy distance() const { return boundary_distance_energy(*surface, false, boundary); }

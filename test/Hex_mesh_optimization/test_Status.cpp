@@ -10,6 +10,10 @@
 #include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -19,6 +23,8 @@ namespace {
 
 namespace HMO = CGAL::Hex_mesh_optimization;
 namespace params = CGAL::parameters;
+using Point = Indexed_mesh::Point;
+using Surface_mesh = CGAL::Surface_mesh<Point>;
 using HMO::Method;
 using HMO::Return_code;
 using HMO::Status;
@@ -113,6 +119,25 @@ TEST(Return_code, is_no_improvement_where_there_is_none)
     const Status status = optimized(block(3), params::optimization_method(method).fixed_boundary(true));
     EXPECT_EQ(status.return_code, Return_code::NO_IMPROVEMENT);
     EXPECT_EQ(status.after.minimum, status.before.minimum);
+  }
+}
+
+// A ball with a fixed boundary is no cube
+TEST(Return_code, is_that_of_the_bound_of_the_deviation_where_it_is_not_met)
+{
+  Indexed_mesh ball;
+  HMO::make_ball(ball.points, ball.hexahedra, 3);
+  Surface_mesh cube;
+  CGAL::make_hexahedron(Point(-1, -1, -1), Point(1, -1, -1), Point(1, 1, -1), Point(-1, 1, -1), Point(-1, 1, 1), Point(-1, -1, 1),
+                        Point(1, -1, 1), Point(1, 1, 1), cube);
+  CGAL::Polygon_mesh_processing::triangulate_faces(cube);
+  for (double bound : {1e-3, 1.}) {
+    Indexed_mesh mesh = ball;
+    const Status status =
+      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, cube, params::fixed_boundary(true).maximum_deviation(bound));
+    EXPECT_EQ(status.is_within_deviation_bound(), bound == 1);
+    EXPECT_EQ(status.return_code == Return_code::DEVIATION_BOUND_NOT_MET, bound < 1);
+    EXPECT_TRUE(status.valid_mesh());
   }
 }
 

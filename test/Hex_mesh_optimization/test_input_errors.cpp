@@ -625,41 +625,74 @@ TEST(Unusual_reference, that_intersects_itself)
   optimized(surface);
 }
 
-TEST(Unusual_reference, of_another_scale)
+// The message of the refusal of this reference of the block, empty if it is accepted
+std::string refusal(const Surface_mesh& surface)
 {
-  for (double scale : {1e-100, 1e-3, 5., 1e3, 1e100}) {
-    SCOPED_TRACE(scale);
-    Surface_mesh surface = cube(3);
-    for (const auto v : surface.vertices()) {
-      const Point& p = surface.point(v);
-      surface.point(v) = Point(scale * p.x(), scale * p.y(), scale * p.z());
-    }
-    try {
-      optimized(surface, params::optimization_method(HMO::Method::RECTIFICATION).number_of_iterations(5).number_of_restarts(0));
-      EXPECT_GT(scale, 1e-50);
-    }
-    catch (const HMO::Input_error& error) { // nothing is left of it in the units of the mesh
-      EXPECT_NE(error.message().find("the reference surface has no face with an area"), std::string::npos) << error.message();
-      EXPECT_LT(scale, 1e-50);
-    }
+  Mesh mesh = block(3, 3, 3);
+  const Mesh before = mesh;
+  try {
+    const auto np = params::optimization_method(HMO::Method::RECTIFICATION).number_of_iterations(5).number_of_restarts(0);
+    expect_honest(before, mesh, CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface, np));
+    return "";
+  }
+  catch (const HMO::Input_error& error) {
+    EXPECT_EQ(error.element(), Element::MESH);
+    EXPECT_EQ(mesh.points, before.points);
+    return error.message();
   }
 }
 
-TEST(Unusual_reference, that_is_far_away)
+// The cube of the block after x -> scale x + shift (1, 0, 0)
+Surface_mesh moved_cube(double scale, double shift)
 {
-  for (double distance : {1e3, 1e9, 1e150}) {
-    SCOPED_TRACE(distance);
-    Surface_mesh surface = cube(3);
-    for (const auto v : surface.vertices())
-      surface.point(v) = surface.point(v) + Indexed_mesh::Kernel::Vector_3(distance, 0, 0);
-    try {
-      optimized(surface);
-    }
-    catch (const HMO::Input_error& error) { // at 1e150 all its points coincide
-      EXPECT_NE(error.message().find("area"), std::string::npos) << error.message();
-      EXPECT_GT(distance, 1e100);
-    }
+  Surface_mesh surface = cube(3);
+  for (const auto v : surface.vertices()) {
+    const Point& p = surface.point(v);
+    surface.point(v) = Point(scale * p.x() + shift, scale * p.y(), scale * p.z());
   }
+  return surface;
+}
+
+// Both boxes are named
+TEST(Unusual_reference, of_another_unit_of_length_is_refused)
+{
+  EXPECT_EQ(refusal(moved_cube(1000, 0)),
+            "the reference surface is 1000 times as large as the mesh: it spans (0 0 0) to (3000 3000 3000), the mesh (0 0 0) to (3 3 3): "
+            "are both in the same unit of length?");
+  for (double scale : {1e-3, .3, 3.1, 1e3, 1e100}) {
+    const std::string message = refusal(moved_cube(scale, 0));
+    EXPECT_NE(message.find("times as large as the mesh"), std::string::npos) << scale << ": " << message;
+  }
+  for (double scale : {.4, 1., 2.9})
+    EXPECT_EQ(refusal(moved_cube(scale, 0)), "") << scale;
+  // nothing is left of it in the units of the mesh
+  EXPECT_NE(refusal(moved_cube(1e-100, 0)).find("has no face with an area"), std::string::npos);
+}
+
+TEST(Unusual_reference, that_is_far_away_is_refused)
+{
+  for (double distance : {8., 1e3, 1e9, 1e150, -8.}) { // the cube's side is 3, and a quarter of its diagonal on both sides is tolerated
+    const std::string message = refusal(moved_cube(1, distance));
+    EXPECT_NE(message.find("far away from the mesh"), std::string::npos) << distance << ": " << message;
+    EXPECT_NE(message.find("the mesh (0 0 0) to (3 3 3)"), std::string::npos) << distance << ": " << message;
+  }
+  for (double distance : {5., -5., 1.})
+    EXPECT_EQ(refusal(moved_cube(1, distance)), "") << distance;
+}
+
+// What counts is the boundary, and the triangles: not points that stand elsewhere
+TEST(Unusual_reference, is_compared_with_the_boundary_only)
+{
+  Mesh mesh = block(3, 3, 3);
+  const auto is_inside = [](double x) { return x > 0 && x < 3; };
+  for (Point& p : mesh.points)
+    if (is_inside(p.x()) && is_inside(p.y()) && is_inside(p.z()))
+      p = Point(100 * p.x(), p.y(), p.z());
+  mesh.points.emplace_back(1e6, 0, 0);
+  Surface_mesh surface = cube(3);
+  surface.add_vertex(Point(-1e6, 0, 0));
+  const auto np = params::number_of_iterations(1).number_of_restarts(0);
+  EXPECT_NO_THROW(CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface, np));
 }
 
 // Needles, caps, and triangles shrunk to a point or an edge among good ones

@@ -126,7 +126,7 @@ TEST_F(Program, repairs_a_tangled_mesh_and_prints_a_table)
 
   const std::string table = text("stdout");
   for (const char* title : {"before", "after", "inverted", "invalid", "minimum", "mean", "standard deviation", "edge ratio",
-                            "average deviation", "maximum deviation", "seconds", "of rectification", "of untangling", "of maximization",
+                            "volume", "average deviation", "maximum deviation", "seconds", "of rectification", "of untangling", "of maximization",
                             "Stopped after", "The mesh is valid."})
     EXPECT_TRUE(contains(table, title)) << title << " in\n" << table;
   EXPECT_EQ(text("stderr"), "") << "progress is for terminals";
@@ -201,6 +201,62 @@ TEST_F(Program, lists_the_hexahedra_that_stay_invalid)
   ASSERT_GT(status["invalid_hexahedra"].size(), 0u);
   EXPECT_EQ(status["invalid_hexahedra"][0]["id"], 0);
   EXPECT_EQ(status["invalid_hexahedra"][0]["center"].size(), 3u);
+}
+
+TEST_F(Program, tells_that_a_bound_of_the_deviation_is_not_met)
+{
+  Mesh mesh;
+  HMO::make_ball(mesh.points, mesh.hexahedra, 3);
+  write("in.mesh", mesh);
+  write("cube.off", "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+                    "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  EXPECT_EQ(run("in.mesh out.mesh --reference cube.off --fixed-boundary --max-deviation 1e-3 --json out.json"), 1) << text("stderr");
+  EXPECT_TRUE(exists("out.mesh"));
+  EXPECT_TRUE(contains(text("stdout"), "THE BOUND OF THE DEVIATION IS NOT MET"));
+  EXPECT_TRUE(contains(text("stdout"), "the bound of the deviation could not be met"));
+  const nlohmann::json status = json("out.json")["status"];
+  EXPECT_EQ(status["return_code"], "DEVIATION_BOUND_NOT_MET");
+  EXPECT_EQ(status["valid_mesh"], true);
+  EXPECT_EQ(run("in.mesh out.mesh --reference cube.off --fixed-boundary --max-deviation 1"), 0) << text("stderr");
+}
+
+TEST_F(Program, keeps_the_boundary_on_the_surface)
+{
+  write("in.mesh", tangled_block());
+  EXPECT_EQ(run("in.mesh out.mesh --on-surface --json out.json"), 0) << text("stderr");
+  const nlohmann::json report = json("out.json");
+  EXPECT_EQ(report["options"]["on_surface"], true);
+  EXPECT_LT(report["status"]["deviation"]["maximum_relative"], 1e-12);
+  EXPECT_NEAR(report["status"]["volume_before"], 1, 1e-12);
+  EXPECT_NEAR(report["status"]["volume_after"], 1, 1e-12);
+}
+
+TEST_F(Program, says_how_many_hexahedra_are_at_their_limit)
+{
+  Mesh mesh;
+  HMO::make_cylinder(mesh.points, mesh.hexahedra, 3, 4);
+  write("in.mesh", mesh);
+  EXPECT_EQ(run("in.mesh out.mesh --json out.json"), 0);
+  const nlohmann::json limits = json("out.json")["status"]["connectivity_limits"];
+  ASSERT_GT(limits.size(), 0u);
+  std::size_t reached = 0;
+  for (const nlohmann::json& l : limits) {
+    EXPECT_LE(l["scaled_jacobian"], l["largest_scaled_jacobian"]);
+    EXPECT_EQ(l["is_reached"], double(l["scaled_jacobian"]) >= double(l["largest_scaled_jacobian"]) - .01);
+    reached += bool(l["is_reached"]);
+  }
+  EXPECT_EQ(contains(text("stdout"), std::to_string(reached) + " hexahedra are at the limit that the connectivity sets"), reached > 0);
+  EXPECT_EQ(contains(text("stdout"), "have a limit below 1 from the connectivity and are below it"), limits.size() > reached);
+}
+
+TEST_F(Program, refuses_a_reference_in_another_unit_of_length)
+{
+  write("in.mesh", tangled_block());
+  write("cube.off", "OFF\n8 6 0\n0 0 0\n1000 0 0\n1000 1000 0\n0 1000 0\n0 0 1000\n1000 0 1000\n1000 1000 1000\n0 1000 1000\n"
+                    "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  EXPECT_EQ(run("in.mesh out.mesh --reference cube.off"), 3);
+  EXPECT_TRUE(contains(text("stderr"), "times as large as the mesh")) << text("stderr");
+  EXPECT_FALSE(exists("out.mesh"));
 }
 
 TEST_F(Program, refuses_wrong_usage)
@@ -317,7 +373,7 @@ TEST_F(Program, does_not_move_frozen_vertices)
 TEST_F(Program, writes_the_same_file_every_time)
 {
   write("in.mesh", tangled_block());
-  write("reference.off", "OFF\n8 6 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
+  write("reference.off", "OFF\n8 6 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n"
                          "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   for (const std::string reference : {"", " --reference reference.off"}) {
     ASSERT_EQ(run("in.mesh first.mesh --threads 1" + reference), 0) << text("stderr");

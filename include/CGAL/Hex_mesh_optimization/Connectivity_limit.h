@@ -50,6 +50,11 @@ struct Connectivity_limit
 
   /// Upper bound, at least 0 and less than 1, of `scaled_jacobian()`. At 0, the hexahedron is flat at best.
   double largest_scaled_jacobian;
+
+  double scaled_jacobian = -1; ///< What the hexahedron has come to.
+
+  /// Whether that is the limit but for .01: no position can raise it by more.
+  bool is_reached() const { return scaled_jacobian >= largest_scaled_jacobian - .01; }
 };
 
 /*!

@@ -33,6 +33,16 @@ enum class Target_edge_lengths
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
+ * Where the vertices of the boundary have to be.
+ */
+enum class Boundary_placement
+{
+  WITHIN_TOLERANCE, ///< Off the reference where that buys quality, but no farther than is tolerated. Corners are exact.
+  ON_SURFACE        ///< On the reference exactly, sliding in it, and along its feature curves; corners do not move.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
  * What becomes of the target edge lengths once the local-global iterations have settled.
  */
 enum class Edge_length_update
@@ -78,6 +88,7 @@ enum class Return_code
   ITERATION_LIMIT,        ///< The number of iterations of the last stage was used up while the mesh still changed.
   TIME_LIMIT,             ///< `maximum_running_time` was over.
   STOPPED_BY_VISITOR,     ///< The visitor asked to stop.
+  DEVIATION_BOUND_NOT_MET, ///< The boundary and the reference are not certified to be as close as `maximum_deviation`.
   NO_IMPROVEMENT          ///< Nothing better than the input was found: all positions are as they were.
 };
 

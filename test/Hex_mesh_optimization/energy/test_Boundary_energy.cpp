@@ -40,7 +40,7 @@ TEST_P(Boundary_energy_of_families, has_the_gradient_of_its_value)
     energy.tightness = .3;
     s.scramble(random, .1, true);
     for (int round = 0; round < 2; ++round) {
-      samples.update(s.points);
+      samples.update(s.points, 1);
       s.scramble(random, .02, true);
     }
     Positions gradient(s.points.size(), Vector_3::Zero());
@@ -79,15 +79,15 @@ TEST_P(Boundary_energy_of_families, is_at_rest_on_the_reference)
   const Attached_mesh s(GetParam()());
   Boundary_samples samples = s.samples();
   const Boundary_energy energy(samples, s.distance(), s.points.size());
-  samples.update(s.points);
-  EXPECT_LT(samples.largest_distance(s.points), .1); // not 0: the center of a quad may lie off both its triangles
+  samples.update(s.points, 1);
+  EXPECT_EQ(samples.excess(s.points), 0);
   const double at_rest = energy.value(s.points);
   Positions moved = s.points;
   for (Vector_3& p : moved)
     p += Vector_3(.5, .5, .5);
-  samples.update(moved);
+  samples.update(moved, 1);
   EXPECT_GT(energy.value(moved), 100 * at_rest);
-  EXPECT_GT(samples.largest_distance(moved), .3);
+  EXPECT_GT(samples.excess(moved), .1);
 }
 
 } // namespace

@@ -143,7 +143,7 @@ void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
 Surface_mesh read_reference(fuzz::Byte_reader& bytes)
 {
   const std::size_t n = 1 + bytes.below(2);
-  const double scale = std::ldexp(1, bytes.signed_byte() / 8);
+  const double scale = std::ldexp(1, bytes.signed_byte() / 40); // half of them are too large or too small
   Mesh block;
   HMO::make_block(block.points, block.hexahedra, {{n, n, n}}, {{2, 2, 2}});
   Surface_mesh surface;
@@ -166,7 +166,7 @@ Surface_mesh read_reference(fuzz::Byte_reader& bytes)
   return surface;
 }
 
-void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_frozen, const HMO::Status& status)
+void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_frozen, bool is_on_reference, const HMO::Status& status)
 {
   for (std::size_t v = 0; v < before.points.size(); ++v) {
     fuzz::require(!is_frozen[v] || same_bits(before.points[v], after.points[v]), "frozen vertices stay");
@@ -183,7 +183,7 @@ void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_fro
   fuzz::require(b.number_of_inverted <= a.number_of_inverted, "the number of inverted hexahedra does not rise");
   if (invalid_hexahedra(before).empty()) {
     fuzz::require(invalid.empty(), "a valid mesh stays valid");
-    fuzz::require(b.minimum >= a.minimum, "the minimum of a valid mesh does not fall");
+    fuzz::require(!is_on_reference || b.minimum >= a.minimum, "the minimum of a valid mesh on its reference does not fall");
   }
   fuzz::require(status.invalid_hexahedra == invalid, "the status lists the invalid hexahedra");
   fuzz::require(status.valid_mesh() == invalid.empty(), "the status knows whether the mesh is valid");
@@ -226,6 +226,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::require(mesh.hexahedra == before.hexahedra && mesh.points.size() == before.points.size(), "the connectivity stays");
-  require_guarantees(before, mesh, is_frozen, status);
+  require_guarantees(before, mesh, is_frozen, !options.has_reference, status);
   return 0;
 }

@@ -29,6 +29,7 @@ TEST(Named_parameters, left_out_are_the_defaults)
   const Optimization_parameters given = optimization_parameters(params::default_values(), keys), expected;
   EXPECT_EQ(given.method, expected.method);
   EXPECT_EQ(given.fixed_boundary, expected.fixed_boundary);
+  EXPECT_EQ(given.boundary_placement, expected.boundary_placement);
   EXPECT_EQ(given.target_quality, expected.target_quality);
   EXPECT_EQ(given.maximum_deviation, expected.maximum_deviation);
   EXPECT_EQ(given.features.angle_bound, expected.features.angle_bound);
@@ -42,7 +43,8 @@ TEST(Named_parameters, that_are_given_reach_the_engine)
 {
   const Optimization_parameters p = optimization_parameters(
     params::fixed_boundary(true).target_quality(.4).maximum_deviation(.5).maximum_running_time(6)
-      .features_angle_bound(70).number_of_iterations(8).surface_weight(9), keys);
+      .features_angle_bound(70).number_of_iterations(8).surface_weight(9)
+      .boundary_placement(HMO::Boundary_placement::ON_SURFACE), keys);
   EXPECT_TRUE(p.fixed_boundary);
   EXPECT_EQ(p.target_quality, .4);
   EXPECT_EQ(p.maximum_deviation, .5);
@@ -50,6 +52,7 @@ TEST(Named_parameters, that_are_given_reach_the_engine)
   EXPECT_EQ(p.features.angle_bound, 70);
   EXPECT_EQ(p.rectification.iterations, 8u);
   EXPECT_EQ(p.rectification.surface_weight, 9);
+  EXPECT_EQ(p.boundary_placement, HMO::Boundary_placement::ON_SURFACE);
 }
 
 template <class NamedParameters>

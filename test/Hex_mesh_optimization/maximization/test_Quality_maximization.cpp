@@ -30,7 +30,8 @@ INSTANTIATE_TEST_SUITE_P(Families, Quality_maximization_of_families, ::testing::
 void run(Attached_mesh& s, Run_control& control)
 {
   Boundary_samples samples = s.samples();
-  Quality_maximization(s.complex, samples, s.distance(), s.lengths, &s.relations, s.is_fixed, Maximization_parameters())
+  Sliding sliding = s.sliding();
+  Quality_maximization(s.complex, samples, s.distance(), s.lengths, &s.relations, sliding, Maximization_parameters())
     .run(s.points, control, std::numeric_limits<double>::infinity());
 }
 

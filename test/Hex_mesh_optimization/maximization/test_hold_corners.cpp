@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -30,6 +31,9 @@ Batched_values<1> same_for_all(const Hexahedral_complex& complex, double value)
   return result;
 }
 
+const auto not_retracted = [](Positions&) {};
+const auto no_more = [](const Positions&, std::vector<char>&) {};
+
 // Only vertices of hexahedra that would get too poor are held back, and these until none is
 TEST(Hold_corners, is_shortened_only_where_corners_would_get_too_poor)
 {
@@ -45,7 +49,7 @@ TEST(Hold_corners, is_shortened_only_where_corners_would_get_too_poor)
   step[moved] = Vector_3(1, .8, .9);
   const Positions given = step;
   const int rounds = 20;
-  hold_corners(complex, Hexahedron_batches(complex), points, least, rounds, step);
+  hold_corners(complex, Hexahedron_batches(complex), points, least, rounds, not_retracted, no_more, step);
 
   std::vector<char> is_near(points.size(), false);
   for (int h : complex.vertex_hexahedra[moved])
@@ -76,9 +80,31 @@ TEST(Hold_corners, ends_after_the_rounds)
   const Hexahedral_complex complex = mesh.complex();
   const Batched_values<1> unreachable = same_for_all(complex, 2);
   Positions step(mesh.points.size(), Vector_3(1, 2, 3));
-  hold_corners(complex, Hexahedron_batches(complex), positions(mesh), unreachable, 3, step);
+  hold_corners(complex, Hexahedron_batches(complex), positions(mesh), unreachable, 3, not_retracted, no_more, step);
   for (const Vector_3& d : step)
     EXPECT_EQ(d, Vector_3(1, 2, 3) / 8);
+}
+
+TEST(Hold_corners, is_shortened_where_more_is_found_in_what_is_retracted)
+{
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  const Positions points = positions(mesh);
+  const Batched_values<1> least = same_for_all(complex, -1);
+  const int watched = 0, v = complex.hexahedra[watched][0];
+  Positions step(points.size(), Vector_3(.1, 0, 0));
+  hold_corners(complex, Hexahedron_batches(complex), points, least, 20, [&](Positions& p) { p[v].z() += 1; },
+               [&](const Positions& reached, std::vector<char>& is_ruined) {
+                 EXPECT_EQ(reached[v].z(), points[v].z() + 1);
+                 if (reached[v].x() - points[v].x() > .03)
+                   is_ruined[watched] = true;
+               },
+               step);
+  for (std::size_t u = 0; u < points.size(); ++u) {
+    const Hexahedron& h = complex.hexahedra[watched];
+    const bool is_held = std::find(h.begin(), h.end(), static_cast<int>(u)) != h.end();
+    EXPECT_EQ(step[u], Vector_3(is_held ? .025 : .1, 0, 0)) << u;
+  }
 }
 
 } // namespace

@@ -31,20 +31,20 @@ Positions state(double x) { return {Vector_3(x, 0, 0)}; }
 
 double best(const Best_state& b) { return b.points()[0].x(); }
 
-TEST(Best_state, counts_inverted_hexahedra_before_invalid_ones_and_these_before_demerits)
+TEST(Best_state, keeps_to_the_order_of_goals_and_then_to_how_loosely_the_boundary_is_attached)
 {
-  Best_state b(state(0), quality(2, 3, -.5), 1, 0, {5, 5});
-  b.offer(state(1), quality(3, 3, .9), {0, 0});
+  Best_state b(state(0), quality(2, 3, -.5), 1, 0, 5, .5);
+  b.offer(state(1), quality(3, 3, .9), 0, 0);
   EXPECT_EQ(best(b), 0);
-  b.offer(state(2), quality(1, 9, -.9), {9, 9});
+  b.offer(state(2), quality(1, 9, -.9), 9, .9);
   EXPECT_EQ(best(b), 2);
-  b.offer(state(3), quality(1, 8, -.95), {9.5, 9});
+  b.offer(state(3), quality(1, 8, -.95), 9.5, .9);
   EXPECT_EQ(best(b), 3);
-  b.offer(state(4), quality(1, 8, -.99), {1, 20});
+  b.offer(state(4), quality(1, 8, -.99), 1, .95);
   EXPECT_EQ(best(b), 4);
-  b.offer(state(5), quality(1, 8, .5), {1, 21});
+  b.offer(state(5), quality(1, 8, .5), 1, .96);
   EXPECT_EQ(best(b), 4);
-  b.offer(state(6), quality(1, 8, -1), {1, 19});
+  b.offer(state(6), quality(1, 8, -1), 1, .94);
   EXPECT_EQ(best(b), 6);
   EXPECT_EQ(b.inverted(), 1u);
   EXPECT_EQ(b.invalid(), 8u);
@@ -70,22 +70,39 @@ TEST(Best_state, of_equals_is_the_latest_that_does_not_fall_behind_the_highest)
   EXPECT_EQ(best(relative), 1);
 }
 
-TEST(Best_state, of_a_mesh_that_came_in_valid_never_has_a_lower_minimum)
+TEST(Best_state, of_a_mesh_that_came_in_valid_and_in_place_never_has_a_lower_minimum)
 {
-  Best_state b(state(0), quality(0, 0, .5), .9, 0, {1, 0});
+  Best_state b(state(0), quality(0, 0, .5), .9, 0, 0, 1);
   EXPECT_EQ(b.least_minimum(), .5);
-  b.offer(state(1), quality(0, 0, .49), {0, 0});
+  EXPECT_TRUE(b.is_protected());
+  b.offer(state(1), quality(0, 0, .49));
   EXPECT_EQ(best(b), 0);
-  b.offer(state(2), quality(0, 0, .51), {0, 0});
+  b.offer(state(2), quality(0, 0, .51));
   EXPECT_EQ(best(b), 2);
+  b.offer(state(3), quality(0, 0, .9), .1);
+  EXPECT_EQ(best(b), 2) << "nor does its boundary leave what is tolerated";
   EXPECT_EQ(Best_state(state(0), quality(0, 1, .5), 1, 0).least_minimum(), -1);
 }
 
-TEST(Best_state, reaches_a_target_only_if_it_is_valid)
+// Its angles do not protect it
+TEST(Best_state, of_a_mesh_that_came_in_off_its_reference_comes_nearer)
+{
+  Best_state b(state(0), quality(0, 0, .9), 1, 0, 2);
+  EXPECT_FALSE(b.is_protected());
+  b.offer(state(1), quality(0, 0, .3), 1);
+  EXPECT_EQ(best(b), 1);
+  b.offer(state(2), quality(0, 1, .9), 0);
+  EXPECT_EQ(best(b), 1) << "but stays valid";
+  b.offer(state(3), quality(0, 0, .2), 0);
+  EXPECT_EQ(best(b), 3);
+}
+
+TEST(Best_state, reaches_a_target_only_if_it_is_valid_and_in_place)
 {
   EXPECT_TRUE(Best_state(state(0), quality(0, 0, .5), 1, 0).reaches(.5));
   EXPECT_FALSE(Best_state(state(0), quality(0, 0, .5), 1, 0).reaches(.51));
   EXPECT_FALSE(Best_state(state(0), quality(0, 1, .5), 1, 0).reaches(.5));
+  EXPECT_FALSE(Best_state(state(0), quality(0, 0, .5), 1, 0, .1).reaches(.5));
 }
 
 } // namespace

@@ -56,7 +56,8 @@ struct Rectified_block
   void run(Positions& points, Run_control& control, double target) const
   {
     const std::vector<double> lengths(mesh.complex.edges.size(), 1.);
-    Edge_cone_rectification(mesh.complex, relations, *surface, attachment, lengths, parameters).run(points, control, target);
+    Edge_cone_rectification(mesh.complex, relations, *surface, attachment, attachment.fixed_vertices(), lengths, parameters)
+      .run(points, control, target);
   }
 };
 

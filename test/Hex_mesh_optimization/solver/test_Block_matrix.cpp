@@ -40,6 +40,7 @@ TEST(Block_matrix, solves_large_systems_the_same_whatever_the_number_of_threads)
     }
   std::vector<char> is_fixed(n, false);
   is_fixed[0] = true; // else all could move by the same vector
+  const Freedoms freedoms = all_but(is_fixed);
   Positions x, b(n, Vector_3::Zero()), solution, in_parallel;
   for (int v = 0; v < n; ++v)
     x.push_back(is_fixed[v] ? Vector_3(Vector_3::Zero()) : random_vector(random, 1));
@@ -50,8 +51,8 @@ TEST(Block_matrix, solves_large_systems_the_same_whatever_the_number_of_threads)
       b[u] += x[u] - x[v];
     }
   int iterations = 0;
-  run_concurrently(false, [&] { iterations = matrix.solve(b, is_fixed, 1e-6, 1000, solution); });
-  run_concurrently(true, [&] { matrix.solve(b, is_fixed, 1e-6, 1000, in_parallel); });
+  run_concurrently(false, [&] { iterations = matrix.solve(b, freedoms, 1e-6, 1000, solution); });
+  run_concurrently(true, [&] { matrix.solve(b, freedoms, 1e-6, 1000, in_parallel); });
   EXPECT_LT(iterations, 60); // rather than in proportion to the number of rows
   EXPECT_EQ(solution, in_parallel);
   for (int v = 0; v < n; ++v)

@@ -73,6 +73,7 @@ Positions some_targets()
 }
 
 const auto unrestricted = [](Positions&) {};
+const auto not_retracted = unrestricted;
 
 TEST(Newton_step, reaches_the_minimum_of_a_quadratic_energy_at_once)
 {
@@ -81,7 +82,7 @@ TEST(Newton_step, reaches_the_minimum_of_a_quadratic_energy_at_once)
   parameters.tolerance = 1e-6;
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(-1, 2, 0));
-  const double reached = newton_step(energy, std::vector<char>(n, false), unrestricted, parameters, matrix, points);
+  const double reached = newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted, parameters, matrix, points);
   EXPECT_EQ(reached, energy.value(points));
   Positions gradient(n, Vector_3::Zero());
   energy.add_derivatives(points, gradient, matrix);
@@ -97,9 +98,50 @@ TEST(Newton_step, leaves_fixed_points_and_restricted_ones)
   Positions points = start;
   std::vector<char> is_fixed(n, false);
   is_fixed[2] = true;
-  newton_step(energy, is_fixed, [](Positions& step) { step[4] = Vector_3::Zero(); }, Newton_parameters(), matrix, points);
+  newton_step(energy, all_but(is_fixed), [](Positions& step) { step[4] = Vector_3::Zero(); }, not_retracted, Newton_parameters(), matrix,
+              points);
   for (int v = 0; v < n; ++v)
     EXPECT_EQ(points[v] == start[v], v == 2 || v == 4) << v;
+}
+
+// On lines and planes the minimizer is the one among the points that may be reached.
+TEST(Newton_step, keeps_to_the_freedom_of_each_point)
+{
+  const Springs energy{some_targets()};
+  Newton_parameters parameters;
+  parameters.tolerance = 1e-6;
+  Block_matrix matrix = chain_matrix();
+  const Positions start(n, Vector_3(-1, 2, 0));
+  Positions points = start;
+  const Vector_3 direction = Vector_3(1, 2, 2) / 3, normal = Vector_3(2, -1, 2) / 3;
+  Freedoms freedoms(n, Freedom::everywhere());
+  freedoms[1] = Freedom::along_line(direction);
+  freedoms[3] = Freedom::along_plane(normal);
+  freedoms[4] = Freedom::nowhere();
+  newton_step(energy, freedoms, unrestricted, not_retracted, parameters, matrix, points);
+  EXPECT_LT((points[1] - start[1]).cross(direction).norm(), 1e-5);
+  EXPECT_LT(std::abs((points[3] - start[3]).dot(normal)), 1e-5);
+  EXPECT_EQ(points[4], start[4]);
+  Positions gradient(n, Vector_3::Zero());
+  energy.add_derivatives(points, gradient, matrix);
+  EXPECT_LT(std::abs(gradient[1].dot(direction)), 1e-5);
+  EXPECT_GT(gradient[1].norm(), .1);
+  EXPECT_LT(gradient[3].cross(normal).norm(), 1e-5);
+  for (int v : {0, 2, 5})
+    EXPECT_LT(gradient[v].norm(), 1e-5);
+}
+
+// The energy that counts is the one of the points taken back.
+TEST(Newton_step, ends_where_points_are_retracted_to)
+{
+  const Springs energy{some_targets()};
+  Block_matrix matrix = chain_matrix();
+  Positions points(n, Vector_3(-1, 2, 0));
+  const auto to_plane = [](Positions& p) { p[2].z() = 0; };
+  const double reached =
+    newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, to_plane, Newton_parameters(), matrix, points);
+  EXPECT_EQ(points[2].z(), 0);
+  EXPECT_EQ(reached, energy.value(points));
 }
 
 TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
@@ -108,7 +150,7 @@ TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(0, 0, 0));
   const double before = energy.value(points);
-  EXPECT_LT(newton_step(energy, std::vector<char>(n, false), unrestricted, Newton_parameters(), matrix, points), before);
+  EXPECT_LT(newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted, Newton_parameters(), matrix, points), before);
   for (const Vector_3& p : points)
     EXPECT_LE(p.x(), .5);
 }

@@ -35,8 +35,9 @@ TEST(Untangling, moves_what_is_near_inverted_corners_and_nothing_else)
   Untangling_parameters parameters;
   parameters.rings = 3;
   Boundary_samples samples = s.samples();
+  const Sliding sliding = s.sliding();
   Run_control control;
-  Untangling(s.complex, samples, s.distance(), s.lengths, s.is_fixed, parameters).run(s.points, control);
+  Untangling(s.complex, samples, s.distance(), s.lengths, sliding, parameters).run(s.points, control);
   EXPECT_GE(Mesh_quality(s.complex, s.points).minimum, parameters.untangled);
   EXPECT_NE(s.points[displaced], given[displaced]);
   std::size_t far = 0;

@@ -15,6 +15,7 @@ CGAL_add_named_parameter(features_angle_bound_t, features_angle_bound, features_
 #endif
 CGAL_add_named_parameter(hex_optimization_method_t, hex_optimization_method, optimization_method)
 CGAL_add_named_parameter(hex_fixed_boundary_t, hex_fixed_boundary, fixed_boundary)
+CGAL_add_named_parameter(hex_boundary_placement_t, hex_boundary_placement, boundary_placement)
 CGAL_add_named_parameter(hex_target_quality_t, hex_target_quality, target_quality)
 CGAL_add_named_parameter(hex_maximum_deviation_t, hex_maximum_deviation, maximum_deviation)
 CGAL_add_named_parameter(hex_target_edge_lengths_t, hex_target_edge_lengths, target_edge_lengths)

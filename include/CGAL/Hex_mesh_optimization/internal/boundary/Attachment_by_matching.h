@@ -49,7 +49,7 @@ public:
       if (v < 0)
         continue;
       vertex_of[corner] = v;
-      attachment.to_corner(v, surface.points[corner]);
+      attachment.to_corner(v, surface, corner);
     }
     for (std::size_t c = 0; c < surface.curves.size(); ++c)
       match(static_cast<int>(c), vertex_of);

@@ -25,12 +25,14 @@ struct Boundary_attachment
   std::vector<Vertex_kind> kind;
   std::vector<int> curve;  // of a FEATURE vertex
   Positions corner;        // the place of a CORNER vertex
+  std::vector<Corner_rank> corner_rank; // of a CORNER vertex
   std::vector<int> curve_of_edge; // the curve that an edge of the boundary represents, or -1
 
   explicit Boundary_attachment(const Hexahedral_complex& complex)
     : kind(complex.number_of_vertices(), Vertex_kind::INTERIOR)
     , curve(complex.number_of_vertices(), -1)
     , corner(complex.number_of_vertices(), Vector_3::Zero())
+    , corner_rank(complex.number_of_vertices(), Corner_rank::END)
     , curve_of_edge(complex.edges.size(), -1)
   {
     for (std::size_t v = 0; v < kind.size(); ++v)
@@ -48,10 +50,12 @@ struct Boundary_attachment
     return is_fixed;
   }
 
-  void to_corner(int v, const Vector_3& place)
+  // c: a corner of the reference.
+  void to_corner(int v, const Reference_surface& reference, int c)
   {
     kind[v] = Vertex_kind::CORNER;
-    corner[v] = place;
+    corner[v] = reference.points[c];
+    corner_rank[v] = reference.corner_rank(c);
   }
 
   // The vertices, one boundary edge apart, represent a curve; corners among them stay corners.
@@ -72,7 +76,7 @@ inline Boundary_attachment attach_to_own_boundary(const Hexahedral_complex& comp
 {
   Boundary_attachment attachment(complex);
   for (int v : surface.corners)
-    attachment.to_corner(v, surface.points[v]);
+    attachment.to_corner(v, surface, v);
   for (std::size_t c = 0; c < surface.curves.size(); ++c)
     attachment.to_curve(complex, surface.curves[c]->vertices, static_cast<int>(c));
   return attachment;

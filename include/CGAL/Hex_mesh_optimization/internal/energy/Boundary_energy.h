@@ -74,10 +74,10 @@ public:
       double sum = 0;
       for (std::size_t i = begin; i < end; ++i) {
         const Boundary_sample& s = samples_.samples()[i];
-        sum += s.weight * s.strain * distance_.value(s.offset(points).norm() / s.scale);
+        sum += s.weight * s.emphasis * distance_.value(s.offset(points).norm() / s.scale);
       }
       return sum;
-    });
+    }) + (samples_.is_bounded() ? value_of_walls(points) : 0);
   }
 
   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
@@ -90,6 +90,20 @@ public:
 
 private:
   static constexpr std::size_t faces_of_range = 64;
+
+  // w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D: whatever the tightness, the tube does not give.
+  double value_of_walls(const Positions& points) const
+  {
+    return samples_.wall_weight() * sum_of_ranges(samples_.samples().size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Boundary_sample& s = samples_.samples()[i];
+        const double x = s.offset(points).squaredNorm() / (s.wall * s.wall);
+        sum += s.weight * x * x * x;
+      }
+      return sum;
+    });
+  }
 
   // Samples share faces, so that the matrix is visited once for all of one face.
   void add_derivatives_of_face(std::size_t f, const Positions& points, Positions& gradient, Block_matrix& matrix) const
@@ -106,11 +120,16 @@ private:
     for (int sample : samples_.of_face(f)) {
       const Boundary_sample& s = samples_.samples()[sample];
       const Vector_3 offset = s.offset(points);
-      const double square = s.scale * s.scale, weight = tightness * s.weight * s.strain / square;
+      const double square = s.scale * s.scale, weight = tightness * s.weight * s.emphasis / square;
       const Distance_energy::Derivatives e = distance_.derivatives(offset.norm() / s.scale);
-      const Vector_3 force = weight * e.slope * offset, o = weight * e.growth / square * offset;
+      double slope = weight * e.slope, growth = weight * e.growth / square;
+      if (samples_.is_bounded()) {
+        const double D2 = s.wall * s.wall, x = offset.squaredNorm() / D2, u = 6 * samples_.wall_weight() * s.weight * x / D2;
+        slope += u * x;
+        growth += 4 * u / D2;
+      }
+      const Vector_3 force = slope * offset, o = growth * offset;
       const Matrix_3& P = s.target.projector;
-      const double slope = weight * e.slope;
       Symmetric hessian;
       hessian << slope * P(0, 0) + o[0] * offset[0], slope * P(0, 1) + o[0] * offset[1], slope * P(0, 2) + o[0] * offset[2],
         slope * P(1, 1) + o[1] * offset[1], slope * P(1, 2) + o[1] * offset[2], slope * P(2, 2) + o[2] * offset[2];

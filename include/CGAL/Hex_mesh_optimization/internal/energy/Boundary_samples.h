@@ -49,11 +49,28 @@ struct Boundary_sample_parameters
   // Samples keep their targets until they have moved this far, in local edge lengths.
   double still_distance = .02;
 
-  // Samples farther than this part of the bound of the deviation, if there is one, get heavier by the factor in each
-  // iteration, within the limit.
-  double strained_part = .9;
-  double straining = 1.5;
-  double largest_strain = 1e4;
+  // What is tolerated where no bound is given, in local edge lengths: a mesh farther than that from a reference of its own
+  // has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
+  double tolerance = .3;
+
+  // --- Where distances are bounded ---
+  // Samples keep to this part of the bound: what is between them may be farther off.
+  double kept_part = .95;
+  // While the boundary is attached with a tightness t < 1, the bound is larger by t to the power of minus this.
+  double loosening = .25;
+  // The tighter the bound is over this part of the local edge, the more the average distance counts too, with a root of that.
+  double close_distance = .19;
+  // Weight of the wall of the tube, and where it stands: at this part of the bound, or of the distance if that is larger: what
+  // is outside is drawn in step by step.
+  double wall_weight = 3;
+  double wall = .9;
+  // A step may not take a sample farther than this part of the bound, or so much farther than it is.
+  double most_of_bound = .95;
+  double most_growth = 1.2;
+  // Further samples, on a lattice of so many parts along an edge, weigh so much; those of the reference are nearer by the factor.
+  int parts = 4;
+  double further_weight = .1;
+  double reference_refinement = .5;
 };
 
 // A point Σ share_k · vertex_k of a face and where it should be.
@@ -67,7 +84,9 @@ struct Boundary_sample
   Vertex_kind kind;
   int curve;
   double scale = 0;  // of the distance: the local edge length
-  double strain = 1; // grows while the sample is farther than the bound of the deviation allows
+  double bound = std::numeric_limits<double>::infinity(); // of the distance
+  double wall = std::numeric_limits<double>::infinity();  // of the distance, for now
+  double emphasis = 1;                                    // factor of the weight, but at the wall
   Target target = {};
 
   Vector_3 place(const Positions& points) const
@@ -85,24 +104,26 @@ struct Boundary_sample
 class Boundary_samples
 {
 public:
-  // lengths: the target lengths of the edges. maximum_deviation: the bound of all distances. The complex, the surface and
+  // lengths: the target lengths of the edges. trusted: the reference is not the boundary of the mesh itself. maximum_deviation: the bound of all distances. The complex, the surface and
   // the attachment must outlive the object.
   Boundary_samples(const Hexahedral_complex& complex, Surface_faces faces, const Reference_surface& surface,
-                   const Boundary_attachment& attachment, const std::vector<double>& lengths, double maximum_deviation,
+                   const Boundary_attachment& attachment, const std::vector<double>& lengths, bool trusted, double maximum_deviation,
                    const Boundary_sample_parameters& parameters)
     : parameters_(parameters)
     , maximum_deviation_(maximum_deviation)
+    , tolerance_(trusted ? parameters.tolerance : std::numeric_limits<double>::infinity())
     , faces_(std::move(faces))
     , attachment_(attachment)
     , scale_(mean_lengths(complex, faces_, lengths))
     , own_count_(add_samples(complex))
     , targets_(surface, own_count_)
-    , reference_links_(faces_.quads, surface, parameters.reference_spacing)
+    , reference_links_(faces_.quads, surface, parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1))
     , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
   {}
 
-  // Finds the targets of all samples from the present positions. What has hardly moved keeps its own.
-  void update(const Positions& points)
+  // Finds the targets of all samples from the present positions. What has hardly moved keeps its own. tightness: with which
+  // the boundary is attached.
+  void update(const Positions& points, double tightness)
   {
     for_each(own_count_, [&](std::size_t i) {
       const Vector_3 p = samples_[i].place(points);
@@ -110,7 +131,7 @@ public:
         aim(i, p);
     }, searches_of_range);
     const std::vector<Reference_links::Link>& links = reference_links_.update(points, parameters_.still_distance);
-    samples_.resize(own_count_ + links.size() + curve_links_.size()); // the same number each time, so that strains are kept
+    samples_.resize(own_count_ + links.size() + curve_links_.size()); 
     for_each(links.size(), [&](std::size_t i) {
       if (links[i].is_new)
         follow(links[i], samples_[own_count_ + i]);
@@ -118,8 +139,8 @@ public:
     for_each(curve_links_.size(), [&](std::size_t i) {
       follow(curve_links_.link(i, points), points, samples_[own_count_ + links.size() + i]);
     }, curve_searches_of_range);
-    if (std::isfinite(maximum_deviation_))
-      strain(points);
+    if (is_bounded())
+      bound(points, tightness);
     of_face_ = Grouped_array(faces_.quads.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
                              [](std::size_t i) { return static_cast<int>(i); });
   }
@@ -130,24 +151,40 @@ public:
   // The samples on a face, each of which is on one face.
   Grouped_array::Group of_face(std::size_t f) const { return of_face_[f]; }
 
-  // The farthest that a sample is from its target.
-  double largest_distance(const Positions& points) const
-  {
-    double largest = 0;
-    for (double of_range : results_of_ranges<double>(samples_.size(), [&](std::size_t begin, std::size_t end) {
-           double square = 0;
-           for (std::size_t i = begin; i < end; ++i)
-             square = (std::max)(square, samples_[i].offset(points).squaredNorm());
-           return square;
-         }))
-      largest = (std::max)(largest, of_range);
-    return std::sqrt(largest);
-  }
+  double wall_weight() const { return parameters_.wall_weight; }
+  bool has_tolerance() const { return is_bounded() || std::isfinite(tolerance_); }
+  bool is_bounded() const { return std::isfinite(maximum_deviation_); }
 
-  // By how much the bound of the deviation is exceeded.
+  // By how much the samples exceed what is tolerated at the most, relative to it.
   double excess(const Positions& points) const
   {
-    return std::isfinite(maximum_deviation_) ? (std::max)(0.0, largest_distance(points) - maximum_deviation_) : 0;
+    double largest = 0;
+    if (!has_tolerance())
+      return largest;
+    for (double of_range : results_of_ranges<double>(samples_.size(), [&](std::size_t begin, std::size_t end) {
+           double of_range = 0;
+           for (std::size_t i = begin; i < end; ++i)
+             of_range = (std::max)(of_range, samples_[i].offset(points).norm() / tolerated(samples_[i]) - 1);
+           return of_range;
+         }))
+      largest = (std::max)(largest, of_range);
+    return largest;
+  }
+
+  // Tells which hexahedra have a sample that gets too far from its target when the points go to where they are reached.
+  void find_leaving(const Positions& points, const Positions& reached, const Hexahedral_complex& complex, std::vector<char>& is_leaving) const
+  {
+    if (!is_bounded())
+      return;
+    std::vector<char> leaves(samples_.size(), false);
+    for_each(samples_.size(), [&](std::size_t i) {
+      const Boundary_sample& s = samples_[i];
+      const double now = s.offset(points).norm(), then = s.offset(reached).norm();
+      leaves[i] = then > now && then > parameters_.most_of_bound * (std::max)(s.bound, parameters_.most_growth * now);
+    });
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (leaves[i])
+        is_leaving[complex.boundary_faces[samples_[i].face].hexahedron] = true;
   }
 
 private:
@@ -192,14 +229,39 @@ private:
       if (faces_.face_of_vertex[v] >= 0 && attachment_.kind[v] != Vertex_kind::FIXED)
         add({{static_cast<int>(v)}, {1.0}, 1, faces_.face_of_vertex[v], 1.0, attachment_.kind[v], attachment_.curve[v]});
     for (std::size_t f = 0; f < faces_.quads.size(); ++f)
-      add({faces_.quads[f], {.25, .25, .25, .25}, 4, static_cast<int>(f), 1.0, Vertex_kind::SURFACE, -1});
+      add(on_face(f, .5, .5, 1.0));
+    if (is_bounded())
+      add_further_samples();
     for (const Surface_faces::Edge& e : faces_.edges) {
       const std::array<int, 2>& ends = complex.edges[e.edge];
       const int curve = attachment_.curve_of_edge[e.edge];
-      add({{ends[0], ends[1]}, {.5, .5}, 2, e.face, parameters_.edge_weight,
-           curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE, curve});
+      const Vertex_kind kind = curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE;
+      add({{ends[0], ends[1]}, {.5, .5}, 2, e.face, parameters_.edge_weight, kind, curve});
+      for (int k = 1; is_bounded() && k < parameters_.parts; ++k)
+        if (2 * k != parameters_.parts) {
+          const double u = double(k) / parameters_.parts;
+          add({{ends[0], ends[1]}, {1 - u, u}, 2, e.face, parameters_.further_weight, kind, curve});
+        }
     }
     return samples_.size();
+  }
+
+  void add_further_samples()
+  {
+    const int n = parameters_.parts;
+    for (std::size_t f = 0; f < faces_.quads.size(); ++f)
+      for (int i = 1; i < n; ++i)
+        for (int j = 1; j < n; ++j)
+          if (2 * i != n || 2 * j != n)
+            add(on_face(f, double(i) / n, double(j) / n, parameters_.further_weight));
+  }
+
+  // On the triangle of a face that it is in: the reference is split in the same way where it is the boundary that came in, so
+  // that this lies on it, even where faces are warped.
+  Boundary_sample on_face(std::size_t f, double u, double v, double weight) const
+  {
+    const std::array<double, 4> shares = u > v ? std::array<double, 4>{1 - u, u - v, v, 0} : std::array<double, 4>{1 - v, 0, u, v - u};
+    return {faces_.quads[f], shares, 4, static_cast<int>(f), weight, Vertex_kind::SURFACE, -1};
   }
 
   void aim(std::size_t i, const Vector_3& p)
@@ -216,35 +278,41 @@ private:
   // A sample of the reference pulls the point of the faces that it is linked to.
   void follow(const Reference_links::Link& link, Boundary_sample& s) const
   {
-    const double strain = s.strain; // outlives the link
     s = {{link.vertices[0], link.vertices[1], link.vertices[2], -1}, {link.weights[0], link.weights[1], link.weights[2], 0}, 3,
          static_cast<int>(link.triangle / 2), parameters_.pull_weight, Vertex_kind::SURFACE, -1};
     weigh(s);
     s.weight *= link.area / (s.scale * s.scale);
     s.target = Target::in_direction(link.sample, link.direction);
-    s.strain = strain;
   }
 
   // A sample of a feature curve pulls the point of an edge that it is linked to.
   void follow(const Curve_links::Link& link, const Positions& points, Boundary_sample& s) const
   {
-    const double strain = s.strain;
     s = {{link.vertices[0], link.vertices[1]}, {link.shares[0], link.shares[1]}, 2, link.face, parameters_.curve_pull_weight,
          Vertex_kind::FEATURE, -1};
     weigh(s);
     s.target = Target::on_plane(link.sample, s.place(points), Vector_3::UnitX());
-    s.strain = strain;
   }
 
-  void strain(const Positions& points)
+  double tolerated(const Boundary_sample& s) const
   {
-    for (Boundary_sample& s : samples_)
-      if (s.offset(points).norm() > parameters_.strained_part * maximum_deviation_)
-        s.strain = (std::min)(s.strain * parameters_.straining, parameters_.largest_strain);
+    return is_bounded() ? parameters_.kept_part * maximum_deviation_ : tolerance_ * s.scale;
+  }
+
+  void bound(const Positions& points, double tightness)
+  {
+    const double bound = parameters_.kept_part * maximum_deviation_ * std::pow(tightness, -parameters_.loosening);
+    for_each(samples_.size(), [&](std::size_t i) {
+      Boundary_sample& s = samples_[i];
+      s.bound = bound;
+      s.wall = parameters_.wall * (std::max)(bound, s.offset(points).norm());
+      s.emphasis = std::sqrt((std::max)(1.0, parameters_.close_distance * s.scale / (parameters_.kept_part * maximum_deviation_)));
+    });
   }
 
   const Boundary_sample_parameters parameters_;
   const double maximum_deviation_;
+  const double tolerance_; // without a bound, in local edge lengths
   const Surface_faces faces_;
   const Boundary_attachment& attachment_;
   const std::vector<double> scale_; // of each vertex of the faces

@@ -14,6 +14,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Model.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
@@ -98,10 +99,11 @@ public:
       const bool is_good = quality.invalid == 0 && quality.minimum >= target;
       if (quality.inverted == 0 && !is_good && !control_.is_stopped())
         end = maximize(points);
-      samples_.reset();
     }
 
-    report_.certify(model_.in_coordinates(points));
+    const double excess_before = excess(model_.points), excess_now = excess(points);
+    samples_.reset();
+    report_.certify(model_.in_coordinates(points), excess_before, excess_now);
     Status& status = report_.status;
     status.return_code = control_.is_stopped()
                            ? control_.return_code()
@@ -140,24 +142,44 @@ private:
   Stage_end rectify(Positions& points, double target, std::size_t tolerated)
   {
     const Timer timer(control_, report_.status.rectification_seconds);
-    return Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment, model_.lengths,
-                            parameters_.rectification)
+    return Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment, vertices_at_rest(points),
+                                   model_.lengths, parameters_.rectification)
       .run(points, control_, target, tolerated);
   }
 
   Stage_end untangle(Positions& points)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
-    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, model_.is_fixed, parameters_.untangling)
+    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, sliding(points), parameters_.untangling)
       .run(points, control_);
   }
 
   Stage_end maximize(Positions& points)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
+    Sliding held = sliding(points);
     return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths,
-                         model_.lengths_are_estimated ? &model_.relations : nullptr, model_.is_fixed, parameters_.maximization)
+                                model_.lengths_are_estimated ? &model_.relations : nullptr, held, parameters_.maximization)
       .run(points, control_, parameters_.target_quality);
+  }
+
+  Sliding sliding(const Positions& points) const { return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, points); }
+
+  std::vector<char> vertices_at_rest(const Positions& points) const
+  {
+    const Sliding held = sliding(points);
+    std::vector<char> result(points.size());
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] = held.is_at_rest(v);
+    return result;
+  }
+
+  double excess(const Positions& points)
+  {
+    Boundary_samples& samples = boundary_samples();
+    if (samples.has_tolerance())
+      samples.update(points, 1);
+    return samples.excess(points);
   }
 
   // What untangling finds of the boundary, maximization goes on with.
@@ -165,7 +187,7 @@ private:
   {
     if (!samples_)
       samples_.emplace(mesh_.complex, boundary_surface_faces(mesh_.complex), *model_.surface, model_.attachment, model_.lengths,
-                       parameters_.maximum_deviation / model_.unit, parameters_.boundary.samples);
+                       model_.reference_is_given, parameters_.maximum_deviation / model_.unit, parameters_.boundary.samples);
     return *samples_;
   }
 

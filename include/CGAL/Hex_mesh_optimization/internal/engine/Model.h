@@ -18,16 +18,21 @@
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,7 +57,8 @@ public:
     , attachment(attached(is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
     , relations(mesh.complex)
-    , lengths_are_estimated(!parameters.target_length && parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED)
+    , lengths_are_estimated(!parameters.target_length && parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED &&
+                            !can_be_trusted(parameters.boundary.samples.tolerance))
     , lengths(target_lengths(parameters))
   {}
 
@@ -128,6 +134,7 @@ private:
   {
     Positions normalized = in_units(reference.points);
     require_area(normalized, reference.triangles, "the reference surface has no face with an area that is not lost against the mesh");
+    require_same_place(reference);
     Edge_list sharp = reference.sharp_is_given ? reference.sharp : sharp_edges(normalized, reference.triangles, features.angle_bound);
     return std::make_unique<const Reference_surface>(std::move(normalized), reference.triangles, std::move(sharp),
                                                      reference.sharp_is_given, features);
@@ -150,10 +157,62 @@ private:
     return result;
   }
 
+  // Whether the lengths of the input say something: it is not tangled, and its boundary is where it has to be.
+  bool can_be_trusted(double tolerance) const
+  {
+    if (Mesh_quality(mesh.complex, points).inverted > 0)
+      return false;
+    for (std::size_t v = 0; reference_is_given && v < points.size(); ++v)
+      if (mesh.complex.is_on_boundary[v] && (surface->closest_point(points[v]).point - points[v]).norm() > tolerance)
+        return false;
+    return true;
+  }
+
   static void require_area(const Positions& points, const std::vector<Triangle_indices>& triangles, const char* message)
   {
     if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle_indices& t) { return Triangle_surface::has_area(points, t); }))
       throw Input_error(Input_error::Element::MESH, 0, message);
+  }
+
+  // What a box spans, as words.
+  static std::string in_words(const Eigen::AlignedBox3d& box)
+  {
+    std::ostringstream out;
+    const auto corner = [&](const Vector_3& p) { out << '(' << p[0] << ' ' << p[1] << ' ' << p[2] << ')'; };
+    corner(box.min());
+    out << " to ";
+    corner(box.max());
+    return out.str();
+  }
+
+  // Refuses a reference that cannot belong to the mesh: it would take long to find nothing.
+  void require_same_place(const Reference_input& reference) const
+  {
+    constexpr double largest_ratio = 3;    // of the diagonals
+    constexpr double largest_offset = .25; // by which both boxes are enlarged, in larger diagonals
+    Eigen::AlignedBox3d of_mesh, of_reference;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (mesh.complex.is_on_boundary[v])
+        of_mesh.extend(mesh.points[v]);
+    for (const Triangle_indices& t : reference.triangles)
+      for (int v : t)
+        of_reference.extend(reference.points[v]);
+    const double d = of_mesh.diagonal().stableNorm(), e = of_reference.diagonal().stableNorm();
+    const Vector_3 margin = Vector_3::Constant(largest_offset * (std::max)(d, e));
+    const bool has_other_size = !(e <= largest_ratio * d && d <= largest_ratio * e);
+    const bool is_elsewhere = ((of_mesh.min() - of_reference.max()).array() > 2 * margin.array()).any() ||
+                              ((of_reference.min() - of_mesh.max()).array() > 2 * margin.array()).any();
+    if (!has_other_size && !is_elsewhere)
+      return;
+    std::ostringstream message;
+    message << "the reference surface is ";
+    if (has_other_size)
+      message << std::setprecision(4) << e / d << " times as large as the mesh";
+    else
+      message << "far away from the mesh";
+    message << ": it spans " << in_words(of_reference) << ", the mesh " << in_words(of_mesh) << ": are both in the same "
+            << (has_other_size ? "unit of length?" : "place?");
+    throw Input_error(Input_error::Element::MESH, 0, message.str());
   }
 
   std::vector<double> target_lengths(const Optimization_parameters& parameters) const
@@ -184,7 +243,7 @@ private:
         l = (std::max)(l, parameters.rectification.least_length);
       return lengths;
     }
-    return estimate_edge_lengths(mesh.complex, relations, points);
+    return lengths_are_estimated ? estimate_edge_lengths(mesh.complex, relations, points) : layered_edge_lengths(mesh.complex, relations, points);
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
@@ -28,6 +29,7 @@ struct Optimization_parameters
   bool is_parallel = false; // in the threads of the caller's task arena, else in one
   Method method = Method::FULL;
   bool fixed_boundary = false;
+  Boundary_placement boundary_placement = Boundary_placement::WITHIN_TOLERANCE;
   double target_quality = std::numeric_limits<double>::infinity();
   double maximum_deviation = std::numeric_limits<double>::infinity(); // length
   double maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
@@ -39,6 +41,7 @@ struct Optimization_parameters
   Boundary_parameters boundary;
   Untangling_parameters untangling;
   Maximization_parameters maximization;
+  Certification_parameters certification; // of the bound of the deviation
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails: in a
   // large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;

@@ -13,6 +13,8 @@
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/connectivity_limits.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
@@ -22,9 +24,12 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/volume.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -44,32 +49,40 @@ public:
   {
     status.orientation_reversed = mesh.is_reversed;
     status.before = mesh.statistics(mesh.points);
+    status.volume_before = volume_of(mesh.points);
   }
 
   // Takes the result, in the coordinates of the input: the final statistics are those of the coordinates handed out, so that
-  // no rounding undoes what they say. What is worse than the input is not taken, but the input.
-  void certify(Positions result)
+  // no rounding undoes what they say. What is worse than the input is not taken, but the input. excess_before and
+  // excess: of the boundaries of both over what is tolerated without a bound.
+  void certify(Positions result, double excess_before, double excess)
   {
     positions_ = std::move(result);
     status.after = mesh_.statistics(positions_);
     status.deviation = measured_deviation(positions_);
     status.deviation_bound = parameters_.maximum_deviation;
-    if (is_worse(status.after, status.before) || leaves_bound()) {
+    if (is_perfect() || is_worse(excess_before, excess)) {
       positions_ = mesh_.points;
       status.after = status.before;
-      status.deviation = measured_deviation(positions_);
+      status.deviation = measured_deviation(mesh_.points);
     }
+    status.volume_after = volume_of(positions_);
     for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h)
       if (hexahedron_validity(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[h])) != Validity::VALID) {
         status.invalid_hexahedra.push_back(mesh_.order.given_hexahedron(h));
         if (is_locked(mesh_.complex.hexahedra[h]))
           status.locked_hexahedra.push_back(mesh_.order.given_hexahedron(h));
       }
-    for (Connectivity_limit limit : connectivity_limits(mesh_.complex, model_.attachment))
-      if (scaled_jacobian(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[limit.hexahedron])) <= limit.largest_scaled_jacobian) {
+    for (int v : vertices_away(positions_))
+      status.released_vertices.push_back(mesh_.order.given_vertex(v));
+    std::sort(status.released_vertices.begin(), status.released_vertices.end());
+    for (Connectivity_limit limit : connectivity_limits(mesh_.complex, model_.attachment)) {
+      limit.scaled_jacobian = scaled_jacobian(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[limit.hexahedron]));
+      if (limit.scaled_jacobian <= limit.largest_scaled_jacobian) {
         limit.hexahedron = mesh_.order.given_hexahedron(limit.hexahedron);
         status.connectivity_limits.push_back(limit);
       }
+    }
     std::sort(status.invalid_hexahedra.begin(), status.invalid_hexahedra.end());
     std::sort(status.locked_hexahedra.begin(), status.locked_hexahedra.end());
     std::sort(status.connectivity_limits.begin(), status.connectivity_limits.end(),
@@ -79,6 +92,8 @@ public:
   // Why the run ended, as far as the result says so; otherwise: where it does not.
   Return_code return_code(Return_code otherwise) const
   {
+    if (!status.is_within_deviation_bound())
+      return Return_code::DEVIATION_BOUND_NOT_MET;
     if (positions_ == mesh_.points)
       return Return_code::NO_IMPROVEMENT;
     if (status.valid_mesh() && status.after.minimum >= parameters_.target_quality)
@@ -96,14 +111,17 @@ private:
     Deviation result = deviation(mesh_.complex, model_.in_units(positions), *model_.surface, parameters_.measuring_spacing);
     result.average *= model_.unit;
     result.maximum *= model_.unit;
+    result.bilinear = model_.unit * bilinear_excess(mesh_.complex, model_.in_units(positions));
+    if (std::isfinite(parameters_.maximum_deviation))
+      result.certified = model_.unit * certified_deviation(mesh_.complex, model_.in_units(positions), *model_.surface,
+                                                           parameters_.maximum_deviation / model_.unit, parameters_.certification)
+                                         .upper_bound;
     return result;
   }
 
-  // Whether a bound that the input obeyed is exceeded without the gain of validity.
-  bool leaves_bound() const
+  std::vector<int> vertices_away(const Positions& positions) const
   {
-    return !status.is_within_deviation_bound() && status.before.number_of_invalid <= status.after.number_of_invalid &&
-           measured_deviation(mesh_.points).maximum <= parameters_.maximum_deviation;
+    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, model_.in_units(positions)).vertices_away();
   }
 
   // Whether a corner is inverted whose vertices are all fixed.
@@ -119,14 +137,42 @@ private:
     return false;
   }
 
-  static bool is_worse(const Quality_statistics& now, const Quality_statistics& before)
+  double volume_of(const Positions& positions) const
   {
-    if (now.number_of_inverted != before.number_of_inverted)
-      return now.number_of_inverted > before.number_of_inverted;
-    if (now.number_of_invalid != before.number_of_invalid)
-      return now.number_of_invalid > before.number_of_invalid;
-    return now.number_of_invalid == 0 && now.minimum < before.minimum;
+    double sum = 0;
+    for (const Hexahedron& h : mesh_.complex.hexahedra) {
+      Vector_3 corners[8];
+      for (int k = 0; k < 8; ++k)
+        corners[k] = positions[h[k]];
+      sum += volume(corners);
+    }
+    return sum;
   }
+
+  // Whether the input is as good as a mesh can be, and on its reference: what may still change is rounding.
+  bool is_perfect() const
+  {
+    return status.before.minimum >= 1 - rounding && measured_deviation(mesh_.points).maximum_relative <= rounding;
+  }
+
+  // In the order of goals; quality is kept where nothing comes before it.
+  bool is_worse(double excess_before, double excess) const
+  {
+    if (std::isfinite(parameters_.maximum_deviation)) {
+      excess_before = excess_over_bound(measured_deviation(mesh_.points));
+      excess = excess_over_bound(status.deviation);
+    }
+    const Standing before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before, vertices_away(mesh_.points).size()};
+    const Standing now{status.after.number_of_inverted, status.after.number_of_invalid, excess, vertices_away(positions_).size()};
+    return before < now || (before.is_good() && status.after.minimum < status.before.minimum);
+  }
+
+  double excess_over_bound(const Deviation& deviation) const
+  {
+    return (std::max)(0.0, deviation.certified / parameters_.maximum_deviation - 1);
+  }
+
+  static constexpr double rounding = 1e-12;
 
   const Checked_mesh& mesh_;
   const Model& model_;

@@ -53,6 +53,7 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   Rectification_parameters& r = p.rectification;
   p.method = choose_parameter(get_parameter(np, internal_np::hex_optimization_method), p.method);
   p.fixed_boundary = choose_parameter(get_parameter(np, internal_np::hex_fixed_boundary), p.fixed_boundary);
+  p.boundary_placement = choose_parameter(get_parameter(np, internal_np::hex_boundary_placement), p.boundary_placement);
   p.target_quality = choose_parameter(get_parameter(np, internal_np::hex_target_quality), p.target_quality);
   p.maximum_deviation = choose_parameter(get_parameter(np, internal_np::hex_maximum_deviation), p.maximum_deviation);
   p.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time), p.maximum_running_time);

@@ -60,6 +60,18 @@ struct Maximization_parameters
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;
 
+  // --- Bounded distances ---
+  // The minimum that is held yields by the factor in each iteration in which, fully tight, the excess over the bound does not
+  // fall to this part, or vertices are away from where they are to stand, and recovers in each without that.
+  double excess_part = .9;
+  double yielding = .98;
+  double recovery = 1.03;
+  // While there is excess, it goes on for so many iterations.
+  std::size_t most_bounded_iterations = 60;
+  // Further factor of both weights of the shape: in a narrow tube edges are the more likely to collapse (measured: the
+  // ratios of edges of a hundredth of the hexahedra of a CAD part are 2.6 instead of 3.1).
+  double bounded_shape = 2.5;
+
   // --- Steps ---
   // No corner may drop below this part of its own or the held scaled Jacobian, the lower of the two, in one step; the
   // vertices of those that would are held back to half the step, again and again, up to so often. The line search sees

@@ -72,7 +72,7 @@ public:
   void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    held_ = (std::max)(least, parameters_.hold * (std::min)(highest_, worth_holding(quality)));
+    held_ = (std::max)(least, parameters_.hold * yield_ * (std::min)(highest_, worth_holding(quality)));
     const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.margin));
     const bool is_first = floor_ > 0;
     floor_ = 0;
@@ -92,6 +92,8 @@ public:
   }
 
   double held() const { return held_; }
+  // What is held gives way to something that comes before quality, or recovers from that with a factor above 1.
+  void yield(double factor) { yield_ = (std::min)(1.0, factor * yield_); }
   // A higher minimum than this is not worth the deviation that it takes.
   double worth_holding(const Mesh_quality& quality) const
   {
@@ -112,7 +114,7 @@ private:
 
   const Floor_parameters parameters_;
   const Hexahedron_batches& hexahedra_;
-  double floor_ = 0, highest_ = 0, held_ = 0;
+  double floor_ = 0, highest_ = 0, held_ = 0, yield_ = 1;
   Batched_values<8> lifts_, floors_;
 };
 

@@ -9,6 +9,7 @@
 // loosely attached, then the attachment tightens while they are held.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
@@ -33,6 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -46,7 +48,7 @@ public:
   // estimates and may be adapted; without (null) they are kept. All but the numbers must outlive the object.
   // distance: of the samples.
   Quality_maximization(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
-                       const std::vector<double>& lengths, const Edge_relations* relations, const std::vector<char>& is_fixed,
+                       const std::vector<double>& lengths, const Edge_relations* relations, Sliding& sliding,
                        const Maximization_parameters& parameters)
     : complex_(complex)
     , parameters_(parameters)
@@ -58,7 +60,7 @@ public:
     , floor_(batches_, parameters.floor)
     , hexahedra_(complex, batches_, assembly_, floor_.floors(), lengths, parameters.energy)
     , boundary_(samples, distance, complex.number_of_vertices())
-    , is_fixed_(is_fixed)
+    , sliding_(sliding)
     , lengths_(lengths)
   {}
 
@@ -69,8 +71,9 @@ public:
     Mesh_quality quality(complex_, points);
     if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
       return Stage_end::CONVERGED;
-    const bool was_valid = quality.invalid == 0;
-    Best_state best(points, quality, 1, parameters_.accepted_loss, {1, 0});
+    samples_.update(points, 1);
+    double excess = samples_.excess(points), least_excess = std::numeric_limits<double>::infinity();
+    Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
     bool tightens = false, used_up = false; // the iterations of a phase
     std::size_t waited = 0, settled = 0;
@@ -82,7 +85,9 @@ public:
       if (!tightens && (is_done || i == parameters_.climbing_iterations)) {
         tightens = true;
         used_up = !is_done;
-        weigh_shape(parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average));
+        weigh_shape((samples_.is_bounded() ? parameters_.bounded_shape : 1) *
+                    parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average));
+        sliding_.call_all();
         if (relations_)
           adapt_lengths(points);
       }
@@ -96,17 +101,41 @@ public:
           waited = 0;
         }
       }
-      samples_.update(points);
+      const bool approaches = sliding_.are_some_away();
+      if (approaches) {
+        approach(quality, points);
+        quality = Mesh_quality(complex_, points);
+      }
+      if (approaches || (samples_.is_bounded() && boundary_.tightness < 1)) // walls move with the tightness
+        samples_.update(points, boundary_.tightness);
       const Batched_values<1> least = least_scaled_jacobians(quality);
+      const auto retract = [this](Positions& p) { sliding_.retract(p); };
       const auto restrict_step = [&](Positions& step) {
-        hold_corners(complex_, batches_, points, least, parameters_.holding_rounds, step);
+        hold_corners(complex_, batches_, points, least, parameters_.holding_rounds, retract,
+                     [&](const Positions& reached, std::vector<char>& is_ruined) { samples_.find_leaving(points, reached, complex_, is_ruined); },
+                     step);
       };
-      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), is_fixed_, restrict_step, parameters_.newton, matrix_, points);
+      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), sliding_.freedoms(points), restrict_step, retract,
+                                        parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
-      const double excess = samples_.excess(points);
-      // what was valid is left as it was rather than far from the surface
-      if (boundary_.tightness == 1 || !was_valid)
-        best.offer(points, quality, {1 - boundary_.tightness, excess});
+      samples_.update(points, boundary_.tightness);
+      excess = samples_.excess(points);
+      const bool is_outside = (samples_.is_bounded() && excess > 0) || sliding_.are_some_away();
+      if (boundary_.tightness == 1) {
+        if (!is_outside) {
+          if (std::isfinite(least_excess))
+            settled = 0; // what has yielded now recovers
+          least_excess = std::numeric_limits<double>::infinity();
+          floor_.yield(parameters_.recovery);
+        }
+        else if (excess < parameters_.excess_part * least_excess)
+          least_excess = excess;
+        else
+          floor_.yield(parameters_.yielding);
+      }
+      // what was good is left as it was rather than loosely attached
+      if (boundary_.tightness == 1 || !best.is_protected())
+        best.offer(points, quality, excess, 1 - boundary_.tightness, sliding_.vertices_away().size());
       climb.add(quality);
       if (boundary_.tightness < 1)
         settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
@@ -114,14 +143,14 @@ public:
         settling.add(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, quality);
       const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held();
-      const bool is_settled = !(excess > 0) && is_held && settling.iterations_without_change() >= parameters_.patience;
-      if (boundary_.tightness == 1 && ++settled >= (is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations)) {
+      const bool is_settled = !is_outside && is_held && settling.iterations_without_change() >= parameters_.patience;
+      if (boundary_.tightness == 1 && ++settled >= settling_iterations(is_held, is_outside)) {
         used_up = used_up || !is_settled;
         break;
       }
       if (is_settled)
         break;
-      if (excess > 0)
+      if (is_outside)
         continue;
       if (boundary_.tightness == 1 && quality.invalid == 0 && quality.minimum >= target_quality)
         break;
@@ -131,6 +160,23 @@ public:
   }
 
 private:
+  std::size_t settling_iterations(bool is_held, bool is_outside) const
+  {
+    if (is_outside)
+      return parameters_.most_bounded_iterations;
+    return is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations;
+  }
+
+  // Goes the ways of what is called to its place, as far as the hexahedra allow it.
+  void approach(const Mesh_quality& quality, Positions& points)
+  {
+    Positions step = sliding_.ways(points);
+    hold_corners(complex_, batches_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, [](Positions&) {},
+                 [](const Positions&, std::vector<char>&) {}, step);
+    for_each(points.size(), [&](std::size_t v) { points[v] += step[v]; });
+    sliding_.arrive(points);
+  }
+
   // What no corner of each hexahedron may drop below in the next step.
   Batched_values<1> least_scaled_jacobians(const Mesh_quality& quality) const
   {
@@ -171,7 +217,7 @@ private:
   Quality_floor floor_;
   Hexahedra_energy hexahedra_;
   Boundary_energy boundary_;
-  const std::vector<char> is_fixed_;
+  Sliding& sliding_;
   std::vector<double> lengths_;        // targets of the edges
 };
 

@@ -38,16 +38,18 @@ inline double mean_boundary_edge_length(const Hexahedral_complex& complex, const
   return sum / complex.boundary_edges.size();
 }
 
-// The system of eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel and consecutive edges.
+// The system of eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel edges, those that a
+// sheet of hexahedra crosses, and between consecutive ones, which go on from sheet to sheet, or else not.
 class Length_system
 {
 public:
-  explicit Length_system(const Edge_relations& relations)
+  Length_system(const Edge_relations& relations, bool couples_sheets)
     : relations_(relations)
+    , couples_sheets_(couples_sheets)
     , diagonal_(relations.parallel_degree.size())
   {
     for (std::size_t e = 0; e < diagonal_.size(); ++e)
-      diagonal_[e] = 1 + 2 * (relations.parallel_degree[e] + relations.consecutive_degree[e]);
+      diagonal_[e] = 1 + 2 * (relations.parallel_degree[e] + (couples_sheets ? relations.consecutive_degree[e] : 0));
   }
 
   void multiply(const std::vector<double>& x, std::vector<double>& y) const
@@ -55,31 +57,38 @@ public:
     for (std::size_t e = 0; e < diagonal_.size(); ++e)
       y[e] = diagonal_[e] * x[e];
     // each pair stands twice in the sums of eq. 22, once for either edge
-    for (const std::vector<Edge_pair>* pairs : {&relations_.parallel, &relations_.consecutive})
-      for (const Edge_pair& p : *pairs) {
-        y[p.first / 2] -= 2 * x[p.second / 2];
-        y[p.second / 2] -= 2 * x[p.first / 2];
-      }
+    subtract(relations_.parallel, x, y);
+    if (couples_sheets_)
+      subtract(relations_.consecutive, x, y);
   }
 
   double precondition(std::size_t e, double r) const { return r / diagonal_[e]; }
   static bool is_fixed(std::size_t) { return false; }
 
 private:
+  static void subtract(const std::vector<Edge_pair>& pairs, const std::vector<double>& x, std::vector<double>& y)
+  {
+    for (const Edge_pair& p : pairs) {
+      y[p.first / 2] -= 2 * x[p.second / 2];
+      y[p.second / 2] -= 2 * x[p.first / 2];
+    }
+  }
+
   const Edge_relations& relations_;
+  const bool couples_sheets_;
   std::vector<double> diagonal_;
 };
 
 // Minimizes eq. 22. The system is diagonally dominant, so conjugate gradients need a number of steps that does not depend
 // on the mesh; each is linear in the number of edge pairs.
-inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted)
+inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted, bool couples_sheets = true)
 {
   const double tolerance = 1e-6; // of the mean length
   const int most_iterations = 500; // some tens are needed
   const std::size_t n = wanted.size();
   const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
   std::vector<double> lengths(n, mean);
-  conjugate_gradients(Length_system(relations), wanted, {tolerance * tolerance * mean * mean * n, most_iterations, n}, lengths);
+  conjugate_gradients(Length_system(relations, couples_sheets), wanted, {tolerance * tolerance * mean * mean * n, most_iterations, n}, lengths);
   return lengths;
 }
 
@@ -94,6 +103,13 @@ inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& compl
     if (!complex.is_boundary_edge[e])
       wanted[e] = mean;
   return smooth_edge_lengths(relations, wanted);
+}
+
+// Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, so that layers keep the
+// heights that they have.
+inline std::vector<double> layered_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations, const Positions& points)
+{
+  return smooth_edge_lengths(relations, edge_lengths(complex, points), false);
 }
 
 // eq. 23, 24: lengths move to the reached ones where the worst hexahedron around

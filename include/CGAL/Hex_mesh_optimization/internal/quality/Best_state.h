@@ -8,75 +8,69 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <tuple>
 
 namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
 // The first of these that differs decides which of two states is better:
-//   1. fewer inverted hexahedra,
-//   2. fewer invalid ones,
-//   3. lower demerits, if the stage gives any, the first of them first,
-//   4. the later one, unless its minimum falls behind the highest of those states by more than is accepted.
-// And a mesh that came in valid never gets a lower minimum.
+//   1. their standings,
+//   2. how loosely the boundary is attached, where the stage varies that,
+//   3. the later one, unless its minimum falls behind the highest of those states by more than is accepted.
+// And a mesh that came in valid, with its boundary where it is tolerated, never gets a lower minimum.
 class Best_state
 {
 public:
-  using Demerits = std::array<double, 2>;
-
-  // Accepted is a minimum down to part · highest − loss.
-  Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss,
-             const Demerits& demerits = {})
+  // Accepted is a minimum down to part · highest − loss. excess and away: as in Standing. looseness: the greater, the looser.
+  Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss, double excess = 0,
+             double looseness = 0, std::size_t away = 0)
     : points_(points)
-    , inverted_(quality.inverted)
-    , invalid_(quality.invalid)
-    , demerits_(demerits)
+    , standing_{quality.inverted, quality.invalid, excess, away}
+    , looseness_(looseness)
     , minimum_(quality.minimum)
     , highest_minimum_(quality.minimum)
-    , least_minimum_(quality.invalid == 0 ? quality.minimum : -1)
+    , least_minimum_(standing_.is_good() ? quality.minimum : -1)
     , accepted_part_(accepted_part)
     , accepted_loss_(accepted_loss)
   {}
 
-  void offer(const Positions& points, const Mesh_quality& quality, const Demerits& demerits = {})
+  void offer(const Positions& points, const Mesh_quality& quality, double excess = 0, double looseness = 0, std::size_t away = 0)
   {
-    const auto present = std::make_tuple(inverted_, invalid_, demerits_);
-    const auto offered = std::make_tuple(quality.inverted, quality.invalid, demerits);
-    if (present < offered || quality.minimum < least_minimum_)
+    const Standing standing{quality.inverted, quality.invalid, excess, away};
+    const bool is_worse = standing_ < standing || (!(standing < standing_) && looseness > looseness_);
+    if (is_worse || quality.minimum < least_minimum_)
       return;
-    if (offered < present)
+    if (standing < standing_ || looseness < looseness_)
       highest_minimum_ = quality.minimum;
     else if (quality.minimum < accepted_part_ * highest_minimum_ - accepted_loss_)
       return;
     points_ = points;
-    inverted_ = quality.inverted;
-    invalid_ = quality.invalid;
-    demerits_ = demerits;
+    standing_ = standing;
+    looseness_ = looseness;
     minimum_ = quality.minimum;
     highest_minimum_ = (std::max)(highest_minimum_, quality.minimum);
   }
 
-  bool reaches(double target) const { return invalid_ == 0 && minimum_ >= target; }
+  bool reaches(double target) const { return standing_.is_good() && minimum_ >= target; }
 
   const Positions& points() const { return points_; }
-  std::size_t inverted() const { return inverted_; }
-  std::size_t invalid() const { return invalid_; }
+  std::size_t inverted() const { return standing_.inverted; }
+  std::size_t invalid() const { return standing_.invalid; }
   double minimum() const { return minimum_; }
   // Of the states that differ in the minimum only.
   double highest_minimum() const { return highest_minimum_; }
-  // That a mesh that came in valid keeps, and -1 for one that did not.
+  // That a mesh that came in good keeps, and -1 for one that did not.
   double least_minimum() const { return least_minimum_; }
+  bool is_protected() const { return least_minimum_ >= 0; }
 
 private:
   Positions points_;
-  std::size_t inverted_, invalid_;
-  Demerits demerits_;
-  double minimum_, highest_minimum_;
+  Standing standing_;
+  double looseness_, minimum_, highest_minimum_;
   const double least_minimum_, accepted_part_, accepted_loss_;
 };
 

@@ -41,7 +41,7 @@ class Edge_cone_rectification
 public:
   // Positions are in units of the mean boundary edge; lengths are the targets.
   Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations, const Reference_surface& surface,
-                          const Boundary_attachment& attachment, std::vector<double> lengths,
+                          const Boundary_attachment& attachment, const std::vector<char>& is_fixed, std::vector<double> lengths,
                           const Rectification_parameters& parameters)
     : complex_(complex)
     , surface_(surface)
@@ -49,7 +49,7 @@ public:
     , parameters_(parameters)
     , lengths_(std::move(lengths))
     , cones_(complex)
-    , global_(complex, relations, cones_, attachment.fixed_vertices(), parameters_)
+    , global_(complex, relations, cones_, is_fixed, parameters_)
     , links_(boundary_surface_faces(complex).quads, surface, parameters.reference_spacing)
     , weights_(complex.number_of_vertices(), 1.0)
     , feet_(complex.number_of_vertices())

@@ -11,6 +11,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
 
 #include <Eigen/LU>
 
@@ -99,29 +100,29 @@ public:
       add(slot(i, j), [&](int r, int c) { return B(r, c); });
   }
 
-  // Approximates A x = b from x = 0, in the rows that are not fixed, until the residual has dropped by `tolerance`, in
+  // Approximates A x = b from x = 0, for x within the freedoms and up to what is orthogonal to them, until the residual has dropped by `tolerance`, in
   // the norm of the preconditioner. That is symmetric Gauss-Seidel, A ≈ (D + L) D⁻¹ (D + Lᵀ), in the form of Eisenstat
   // (1981): with d' = (D + Lᵀ) d, (D + L)⁻¹ A d = d + (D + L)⁻¹ Lᵀ d costs no more than A d. Rows of one color come before
   // those of the next, so that the sweeps run in parallel and do not depend on the number of threads. Returns the
   // iterations. The Hessian is a model: single precision is enough, and halves the traffic.
-  int solve(const Positions& b, const std::vector<char>& is_fixed, double tolerance, int maximum_iterations, Positions& x) const
+  int solve(const Positions& b, const Freedoms& freedoms, double tolerance, int maximum_iterations, Positions& x) const
   {
     const std::size_t n = size();
     double largest = 0; // so that nothing overflows
     for (std::size_t v = 0; v < n; ++v)
-      if (!is_fixed[v])
+      if (freedoms[v].dimension() > 0)
         largest = (std::max)(largest, b[v].cwiseAbs().maxCoeff());
     x.assign(n, Vector_3::Zero());
     if (!(largest > 0) || !std::isfinite(largest))
       return 0;
-    std::vector<Diagonal_block> D(n), inverse(n); // D⁻¹, 0 in fixed rows
+    std::vector<Diagonal_block> D(n), inverse(n); // D⁻¹, within the freedoms
     // in terms of the sweeps: the residual r' = (D + L)⁻¹ r, the direction d'
     const Vector zero = Vector::Zero();
     std::vector<Vector> y(n, zero), r(n), d(n), swept_d(n), Ad(n), w(n, zero);
     for_each(n, [&](std::size_t v) {
       D[v] = Diagonal_block(diagonal[v]);
-      if (!is_fixed[v]) {
-        inverse[v] = Diagonal_block(diagonal[v].inverse());
+      if (freedoms[v].dimension() > 0) {
+        inverse[v] = Diagonal_block(freedoms[v].inverse(diagonal[v]));
         w[v].head<3>() = (b[v] / largest).cast<float>();
       }
     });

@@ -7,6 +7,7 @@
 // One step of Newton's method with line search on an energy of all vertices.
 
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
+#include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Newton_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
@@ -24,20 +25,17 @@ namespace internal {
 //   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
 //     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
 //
-// is_fixed stands for the directions in which a point may move, all or none of them: the only other place that knows is
-// Block_matrix::solve(), where the inverse of a diagonal block is restricted to them.
-//
-// restrict_step(direction) may shorten the steps of single points. Moves the points that are not fixed and returns the
-// energy reached.
-template <class Energy, class Restrict>
-double newton_step(const Energy& energy, const std::vector<char>& is_fixed, const Restrict& restrict_step,
+// Moves the points, each within its freedom. restrict_step(direction) may shorten the steps of single points; retract(points)
+// takes those that slide on something curved back onto it. Returns the energy reached.
+template <class Energy, class Restrict, class Retract>
+double newton_step(const Energy& energy, const Freedoms& freedoms, const Restrict& restrict_step, const Retract& retract,
                    const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
   energy.add_derivatives(points, gradient, matrix);
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
-  matrix.solve(gradient, is_fixed, parameters.tolerance, parameters.iterations, direction);
+  matrix.solve(gradient, freedoms, parameters.tolerance, parameters.iterations, direction);
   restrict_step(direction);
   const double slope = -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
     double sum = 0;
@@ -50,6 +48,7 @@ double newton_step(const Energy& energy, const std::vector<char>& is_fixed, cons
   double t = 1;
   for (int i = 0; i < parameters.line_search_steps; ++i, t /= 2) {
     for_each(points.size(), [&](std::size_t v) { trial[v] = points[v] + t * direction[v]; });
+    retract(trial);
     const double reached = energy.value(trial);
     if (reached <= start + parameters.armijo * t * slope) {
       points.swap(trial);

@@ -37,6 +37,7 @@ public:
     : points_(points)
     , edges_(std::move(sharp))
     , cos_corner_(std::cos(parameters.corner_turn * CGAL_PI / 180))
+    , turn_length_(parameters.turn_length)
   {
     trace();
     if (keep_all || edges_.empty())
@@ -65,7 +66,23 @@ private:
     if (incident_[v].size() != 2)
       return false;
     const Vector_3 in = points_[v] - points_[other(incident_[v][0], v)], out = points_[other(incident_[v][1], v)] - points_[v];
-    return in.dot(out) >= cos_corner_ * in.norm() * out.norm();
+    return makes_no_corner(in, out) || makes_no_corner(points_[v] - ahead(v, incident_[v][0]), ahead(v, incident_[v][1]) - points_[v]);
+  }
+
+  bool makes_no_corner(const Vector_3& in, const Vector_3& out) const { return in.dot(out) >= cos_corner_ * in.norm() * out.norm(); }
+
+  // Where the chain that leaves v by an edge has gone the length over which turns are measured, or ends.
+  const Vector_3& ahead(int v, int edge) const
+  {
+    int u = v;
+    for (double length = 0;;) {
+      const int next = other(edge, u);
+      length += (points_[next] - points_[u]).norm();
+      u = next;
+      if (length >= turn_length_ || incident_[u].size() != 2 || u == v)
+        return points_[u];
+      edge = incident_[u][0] == edge ? incident_[u][1] : incident_[u][0];
+    }
   }
 
   void trace()
@@ -132,7 +149,7 @@ private:
 
   const Positions& points_;
   Edge_list edges_;
-  double cos_corner_;
+  const double cos_corner_, turn_length_;
   Grouped_array incident_;
   std::vector<std::vector<int>> curves_, curve_edges_;
 };

@@ -17,6 +17,8 @@ struct Feature_parameters
   double angle_bound = 45;
   // A curve turning by more than this at a vertex has a corner there, in degrees.
   double corner_turn = 60;
+  // The turn has to be there when it is measured over so many mean boundary edges too: a jagged curve zigzags, it has no corners.
+  double turn_length = 2.5;
   // A feature separates two patches of the surface. Curves that do not, with the same patch on either side, are features
   // only from this length on, and patches smaller than the area are none; in units of mean boundary edges.
   double persistence = 15;

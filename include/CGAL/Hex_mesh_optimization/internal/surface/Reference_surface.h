@@ -34,6 +34,9 @@ struct Foot_point : Surface_point
   Vector_3 normal = Vector_3::Zero(); // unit length, outwards; smooth between feature curves
 };
 
+// What makes a corner: a curve that ends, one that turns, or several that meet.
+enum class Corner_rank : char { END, TURN, JUNCTION };
+
 class Reference_surface : public Triangle_surface
 {
 public:
@@ -53,6 +56,12 @@ public:
     return {q, normal(q.triangle, q.coordinates)};
   }
 
+  Corner_rank corner_rank(int corner) const
+  {
+    const std::size_t ends = std::count(curve_ends_.begin(), curve_ends_.end(), corner);
+    return ends < 2 ? Corner_rank::END : ends == 2 ? Corner_rank::TURN : Corner_rank::JUNCTION;
+  }
+
   const std::vector<std::unique_ptr<const Feature_curve>> curves;
   const std::vector<int> corners; // vertices where curves meet, end or turn sharply
 
@@ -62,8 +71,17 @@ private:
     : Triangle_surface(points, std::move(triangles))
     , curves(curves_through(features.curves(), points))
     , corners(features.corners())
+    , curve_ends_(ends_of(features.curves()))
     , normals_(*this, edges_of(features.curves()))
   {}
+
+  static std::vector<int> ends_of(const std::vector<std::vector<int>>& curves)
+  {
+    std::vector<int> result;
+    for (const std::vector<int>& vertices : curves)
+      result.insert(result.end(), {vertices.front(), vertices.back()});
+    return result;
+  }
 
   static std::vector<std::unique_ptr<const Feature_curve>> curves_through(const std::vector<std::vector<int>>& curves, const Positions& points)
   {
@@ -84,6 +102,7 @@ private:
     return result;
   }
 
+  const std::vector<int> curve_ends_; // vertices, each as often as a curve begins or ends there
   const Smooth_normals normals_;
 };
 

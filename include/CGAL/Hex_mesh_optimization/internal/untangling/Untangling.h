@@ -11,6 +11,7 @@
 // corners takes part.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
@@ -60,7 +61,7 @@ public:
   // Positions are in units of the mean boundary edge; lengths are the targets of the edges. distance: of the samples. All but
   // the numbers must outlive the object.
   Untangling(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
-             const std::vector<double>& lengths, const std::vector<char>& is_fixed, const Untangling_parameters& parameters)
+             const std::vector<double>& lengths, const Sliding& sliding, const Untangling_parameters& parameters)
     : complex_(complex)
     , parameters_(parameters)
     , samples_(samples)
@@ -68,7 +69,7 @@ public:
     , assembly_(complex, matrix_)
     , hexahedra_(complex, assembly_, lengths)
     , boundary_(samples, distance, complex.number_of_vertices())
-    , is_fixed_(is_fixed)
+    , sliding_(sliding)
   {
     boundary_.tightness = parameters.tightness;
   }
@@ -89,9 +90,9 @@ public:
       activate(quality, rings);
       const double lowest = (std::min)(hexahedra_.lowest_determinant(points), 0.0);
       hexahedra_.set_regularization(parameters_.least_regularization + parameters_.regularization * (lowest * lowest));
-      samples_.update(points);
-      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), is_passive_, [](Positions&) {}, parameters_.newton,
-                                        matrix_, points);
+      samples_.update(points, boundary_.tightness);
+      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), freedoms(points), [](Positions&) {},
+                                        [this](Positions& p) { sliding_.retract(p); }, parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       ++since;
       const std::size_t fewest = best.inverted();
@@ -108,11 +109,20 @@ public:
   }
 
 private:
+  Freedoms freedoms(const Positions& points) const
+  {
+    Freedoms result = sliding_.freedoms(points);
+    for (std::size_t v = 0; v < result.size(); ++v)
+      if (is_passive_[v])
+        result[v] = Freedom::nowhere();
+    return result;
+  }
+
   // Vertices of inverted and nearly inverted hexahedra and of so many rings around them may move.
   void activate(const Mesh_quality& quality, std::size_t rings)
   {
     std::vector<int> near; // vertices
-    is_passive_.assign(is_fixed_.size(), true);
+    is_passive_.assign(complex_.number_of_vertices(), true);
     const auto add = [&](int h) {
       for (int v : complex_.hexahedra[h])
         if (is_passive_[v]) {
@@ -133,8 +143,6 @@ private:
     std::sort(active.begin(), active.end());
     active.erase(std::unique(active.begin(), active.end()), active.end());
     hexahedra_.set_active(std::move(active));
-    for (std::size_t v = 0; v < is_fixed_.size(); ++v)
-      is_passive_[v] = is_passive_[v] || is_fixed_[v];
   }
 
   const Hexahedral_complex& complex_;
@@ -144,8 +152,8 @@ private:
   const Hexahedron_assembly assembly_;
   Untangling_energy hexahedra_;
   Boundary_energy boundary_;
-  const std::vector<char> is_fixed_;
-  std::vector<char> is_passive_; // vertices that do not move
+  const Sliding& sliding_;
+  std::vector<char> is_passive_; // vertices far from all that is inverted
 };
 
 } } } // namespace CGAL::Hex_mesh_optimization::internal

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H
+
+// The order of goals: what comes before quality when two states of a mesh are
+// compared, by a stage, by the best state so far, and at the end.
+
+#include <cstddef>
+#include <tuple>
+
+namespace CGAL {
+namespace Hex_mesh_optimization {
+namespace internal {
+
+struct Standing
+{
+  std::size_t inverted, invalid; // hexahedra
+  double excess;                 // of the boundary over what is tolerated, at its worst place; 0 within the tolerance
+  std::size_t away;              // vertices that do not stand exactly where they are to stand
+
+  bool is_good() const { return invalid == 0 && !(excess > 0); }
+};
+
+// Whether the first comes before the second: the fewest inverted hexahedra, the fewest invalid ones, the least excess, the
+// fewest vertices away from corners, and from curves and faces where those are exact.
+inline bool operator<(const Standing& a, const Standing& b)
+{
+  return std::tie(a.inverted, a.invalid, a.excess, a.away) < std::tie(b.inverted, b.invalid, b.excess, b.away);
+}
+
+} } } // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The order of goals is an order, and that order.
+
+#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+std::vector<Standing> standings()
+{
+  std::vector<Standing> result;
+  for (std::size_t inverted : {0, 1, 5})
+    for (std::size_t invalid : {0, 1, 7})
+      for (double excess : {0., .1, 3.})
+        for (std::size_t away : {0, 2})
+          result.push_back({inverted, invalid, excess, away});
+  return result;
+}
+
+bool are_equivalent(const Standing& a, const Standing& b) { return !(a < b) && !(b < a); }
+
+TEST(Standing, is_a_strict_weak_order)
+{
+  const std::vector<Standing> all = standings();
+  for (const Standing& a : all) {
+    EXPECT_FALSE(a < a);
+    for (const Standing& b : all) {
+      EXPECT_FALSE(a < b && b < a);
+      for (const Standing& c : all) {
+        if (a < b && b < c) {
+          EXPECT_TRUE(a < c);
+        }
+        if (are_equivalent(a, b) && are_equivalent(b, c)) {
+          EXPECT_TRUE(are_equivalent(a, c));
+        }
+      }
+    }
+  }
+}
+
+TEST(Standing, counts_inverted_hexahedra_then_invalid_ones_then_the_excess_then_vertices_away)
+{
+  EXPECT_TRUE((Standing{0, 9, 9, 0} < Standing{1, 1, 0, 0}));
+  EXPECT_TRUE((Standing{1, 1, 9, 0} < Standing{1, 2, 0, 0}));
+  EXPECT_TRUE((Standing{1, 2, .5, 0} < Standing{1, 2, .6, 0}));
+  EXPECT_TRUE((Standing{1, 2, .5, 1} < Standing{1, 2, .5, 2}));
+  EXPECT_TRUE(are_equivalent({1, 2, .5, 3}, {1, 2, .5, 3}));
+}
+
+TEST(Standing, is_good_where_all_is_valid_and_in_place)
+{
+  for (const Standing& s : standings())
+    EXPECT_EQ(s.is_good(), s.invalid == 0 && s.excess == 0);
+}
+
+} // namespace

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What becomes of the boundary in whole runs: corners are exact, a bound of the deviation is obeyed, vertices that have to
+// be on the surface are. All is measured here, on the mesh that is handed back.
+
+#include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+
+#include "mesh_checks.h"
+#include "mesh_families.h"
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace params = CGAL::parameters;
+using Kernel = Indexed_mesh::Kernel;
+using Point = Indexed_mesh::Point;
+using Surface_mesh = CGAL::Surface_mesh<Point>;
+using HMO::Boundary_placement;
+using HMO::Return_code;
+using HMO::Status;
+
+Surface_mesh surface_of(const Indexed_mesh& mesh)
+{
+  using Vertex = Surface_mesh::Vertex_index;
+  Surface_mesh surface;
+  for_boundary(mesh, [&](const Point& p) { return surface.add_vertex(p); },
+               [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
+  return surface;
+}
+
+// The boundary as it stands in for a reference: quads are split from their first corners
+std::vector<Kernel::Triangle_3> boundary_triangles(const Indexed_mesh& mesh)
+{
+  std::vector<Kernel::Triangle_3> result;
+  const auto faces = mesh.complex().boundary_faces;
+  for (const auto& face : faces) {
+    const auto corner = [&](int i) { return mesh.points[face.vertices[i]]; };
+    result.emplace_back(corner(0), corner(1), corner(2));
+    result.emplace_back(corner(0), corner(2), corner(3));
+  }
+  return result;
+}
+
+double distance(const Point& p, const std::vector<Kernel::Triangle_3>& triangles)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Kernel::Triangle_3& t : triangles)
+    least = (std::min)(least, double(CGAL::squared_distance(p, t)));
+  return std::sqrt(least);
+}
+
+// From a lattice of points on each triangle of one
+double largest_distance(const std::vector<Kernel::Triangle_3>& from, const std::vector<Kernel::Triangle_3>& to)
+{
+  const int n = 8;
+  double largest = 0;
+  for (const Kernel::Triangle_3& t : from)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        largest = (std::max)(largest, distance(t[0] + double(i) / n * (t[1] - t[0]) + double(j) / n * (t[2] - t[0]), to));
+  return largest;
+}
+
+Indexed_mesh sheared(Indexed_mesh mesh)
+{
+  for (Point& p : mesh.points)
+    p = Point(p.x() + .7 * p.z(), p.y(), p.z());
+  return mesh;
+}
+
+// Those of the box that the generator has made
+std::vector<std::size_t> corners_of(const Indexed_mesh& block)
+{
+  const Point last = block.points.back();
+  std::vector<std::size_t> result;
+  for (std::size_t v = 0; v < block.points.size(); ++v) {
+    const Point& p = block.points[v];
+    if ((p.x() == 0 || p.x() == last.x()) && (p.y() == 0 || p.y() == last.y()) && (p.z() == 0 || p.z() == last.z()))
+      result.push_back(v);
+  }
+  return result;
+}
+
+TEST(Corners, of_a_box_stay_bit_for_bit)
+{
+  for (const Indexed_mesh& straight : {mesh_families()[0](), mesh_families()[1]()}) {
+    const std::vector<std::size_t> corners = corners_of(straight);
+    ASSERT_EQ(corners.size(), 8u);
+    for (std::uint64_t seed = 0; seed < 3; ++seed)
+      for (bool has_reference : {false, true})
+        for (double edges : {std::numeric_limits<double>::infinity(), .05}) {
+          SCOPED_TRACE(std::to_string(seed) + (has_reference ? " with" : " without") + " a reference, bound " + std::to_string(edges));
+          const Indexed_mesh intact = sheared(straight);
+          Indexed_mesh mesh = intact;
+          HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .8);
+          const auto np = params::maximum_deviation(edges * intact.mean_edge_length());
+          const Status status = has_reference ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface_of(intact), np)
+                                              : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
+          EXPECT_TRUE(status.valid_mesh());
+          for (std::size_t v : corners)
+            EXPECT_TRUE(same_bits(mesh.points[v], intact.points[v])) << v;
+        }
+  }
+}
+
+// They are found, and moved there
+TEST(Corners, of_a_box_are_those_of_the_reference_where_they_came_in_beside_them)
+{
+  const Indexed_mesh intact = mesh_families()[0]();
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    Indexed_mesh mesh = intact;
+    HMO::jitter_boundary(mesh.points, mesh.hexahedra, seed, .2);
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface_of(intact));
+    EXPECT_TRUE(status.valid_mesh());
+    for (std::size_t v : corners_of(intact))
+      EXPECT_LT(CGAL::squared_distance(mesh.points[v], intact.points[v]), 1e-24) << v << ", seed " << seed;
+  }
+}
+
+class Boundary_guarantees : public ::testing::TestWithParam<Mesh_family> {};
+
+INSTANTIATE_TEST_SUITE_P(Families, Boundary_guarantees, ::testing::ValuesIn(mesh_families()), Family_name());
+
+// From a valid mesh on its reference, and never silently otherwise
+TEST_P(Boundary_guarantees, a_bound_of_the_deviation_is_obeyed)
+{
+  const Indexed_mesh intact = sheared(GetParam()());
+  const std::vector<Kernel::Triangle_3> reference = boundary_triangles(intact);
+  int improved = 0;
+  for (std::uint64_t seed = 0; seed < 3; ++seed)
+    for (double edges : {.3, .1, .02}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", bound " + std::to_string(edges));
+      Indexed_mesh mesh = intact;
+      HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .1 * double(seed));
+      const double bound = edges * intact.mean_edge_length();
+      const bool was_valid = invalid_hexahedra(mesh).empty();
+      const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::maximum_deviation(bound));
+      const std::vector<Kernel::Triangle_3> boundary = boundary_triangles(mesh);
+      const double deviation = (std::max)(largest_distance(boundary, reference), largest_distance(reference, boundary));
+      if (was_valid) {
+        EXPECT_LE(deviation, bound);
+        EXPECT_NE(status.return_code, Return_code::DEVIATION_BOUND_NOT_MET);
+      }
+      EXPECT_EQ(status.is_within_deviation_bound(), status.return_code != Return_code::DEVIATION_BOUND_NOT_MET);
+      EXPECT_TRUE(deviation <= bound || !status.is_within_deviation_bound());
+      improved += status.after.average > status.before.average;
+    }
+  EXPECT_GT(improved, 0);
+}
+
+// All are, but those that the status names.
+void expect_on_surface(const Indexed_mesh& intact, bool all_arrive)
+{
+  const std::vector<Kernel::Triangle_3> reference = boundary_triangles(intact);
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    Indexed_mesh mesh = intact;
+    HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .1 + double(seed));
+    const Status status =
+      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::boundary_placement(Boundary_placement::ON_SURFACE));
+    EXPECT_TRUE(status.valid_mesh());
+    const auto complex = mesh.complex();
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (complex.is_on_boundary[v] &&
+          !std::binary_search(status.released_vertices.begin(), status.released_vertices.end(), v)) {
+        EXPECT_LT(distance(mesh.points[v], reference), 1e-10 * intact.mean_edge_length()) << "vertex " << v << ", seed " << seed;
+      }
+    EXPECT_TRUE(status.released_vertices.empty() || !all_arrive) << "seed " << seed;
+  }
+}
+
+TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it)
+{
+  expect_on_surface(GetParam()(), std::string(GetParam().name) != "plate_with_hole"); // of which some are released
+}
+
+TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it_where_that_costs_quality)
+{
+  expect_on_surface(sheared(GetParam()()), std::string(GetParam().name) != "ring");
+}
+
+TEST(Volume, is_in_the_status_before_and_after)
+{
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{4, 3, 5}}, {{1, 2, 3}});
+  HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra);
+  EXPECT_NEAR(status.volume_before, 6, 1e-12) << "wherever the interior is";
+  EXPECT_NEAR(status.volume_after, 6, .06);
+  Indexed_mesh unmoved = mesh;
+  EXPECT_NEAR(CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, params::number_of_iterations(1)).volume_before,
+              status.volume_after, 1e-12);
+
+  // inside out
+  for (auto& h : mesh.hexahedra)
+    std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+  const Status reversed = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra);
+  EXPECT_TRUE(reversed.orientation_reversed);
+  EXPECT_NEAR(reversed.volume_before, status.volume_after, 1e-12);
+}
+
+} // namespace
