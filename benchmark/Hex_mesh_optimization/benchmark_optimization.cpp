@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What an optimization costs, in sweeps: one sweep finds the scaled Jacobian of every corner of the mesh and adds up its
-// gradients at the vertices, which is the least that a method of first order does in an iteration. And the kernels.
+// What an optimization costs, in sweeps: one sweep finds the scaled Jacobian of every corner of the mesh and adds up
+// its gradients at the vertices, which is the least that a method of first order does in an iteration. And the kernels.
 
 #include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
@@ -58,7 +58,8 @@ struct Mesh
 };
 
 // Returns the sum of the scaled Jacobians.
-double sweep(const Hexahedral_complex& complex, const Hexahedron_batches& batches, const Positions& points, Positions& gradient)
+double sweep(const Hexahedral_complex& complex, const Hexahedron_batches& batches, const Positions& points,
+             Positions& gradient)
 {
   double sum = 0;
   for (std::size_t batch = 0; batch < batches.size(); ++batch) {
@@ -120,11 +121,14 @@ void energy_derivatives(benchmark::State& state)
 }
 BENCHMARK(energy_derivatives)->Arg(8)->Arg(22)->Unit(benchmark::kMillisecond);
 
-// A whole optimization, in one thread; the counter is its time over that of a sweep, the fastest of many in the same process
+// A whole optimization, in one thread; the counter is its time over that of a sweep, the fastest of many in the same
+// process
 void optimization(benchmark::State& state)
 {
   using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
   const Mesh given(static_cast<std::size_t>(state.range(0)));
   const Hexahedral_complex complex = given.complex();
   const Hexahedron_batches batches(complex);

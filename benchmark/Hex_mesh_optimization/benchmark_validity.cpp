@@ -42,8 +42,7 @@ Mesh ball(const benchmark::State& state)
 void certify(benchmark::State& state, const Mesh& mesh)
 {
   std::vector<std::size_t> invalid;
-  for (auto _ : state)
-  {
+  for (auto _ : state) {
     invalid.clear();
     HMO::invalid_hexahedra(mesh.points, mesh.hexahedra, std::back_inserter(invalid));
     benchmark::DoNotOptimize(invalid.data());
@@ -60,10 +59,7 @@ void certify(benchmark::State& state, const std::array<Point, 8>& hexahedron)
   state.counters["invalid"] = HMO::is_valid_hexahedron(hexahedron) ? 0 : 1;
 }
 
-void certificate_of_a_valid_mesh(benchmark::State& state)
-{
-  certify(state, ball(state));
-}
+void certificate_of_a_valid_mesh(benchmark::State& state) { certify(state, ball(state)); }
 BENCHMARK(certificate_of_a_valid_mesh)->Arg(8)->Arg(32)->Unit(benchmark::kMillisecond);
 
 void certificate_of_a_tangled_mesh(benchmark::State& state)
@@ -79,8 +75,7 @@ void certificate_by_subdivision(benchmark::State& state)
 {
   const double angle = static_cast<double>(state.range(0)) / 100;
   std::array<Point, 8> p;
-  for (int i = 0; i < 8; ++i)
-  {
+  for (int i = 0; i < 8; ++i) {
     const double x = unit_square[i % 4][0] - .5, y = unit_square[i % 4][1] - .5, a = i < 4 ? 0 : angle;
     p[i] = Point(std::cos(a) * x - std::sin(a) * y, std::sin(a) * x + std::cos(a) * y, i < 4 ? 0 : 1);
   }
@@ -92,8 +87,7 @@ BENCHMARK(certificate_by_subdivision)->Arg(100)->Arg(160)->Arg(175);
 void certificate_by_exact_numbers(benchmark::State& state)
 {
   std::array<Point, 8> p;
-  for (int i = 0; i < 8; ++i)
-  {
+  for (int i = 0; i < 8; ++i) {
     const double x = unit_square[i % 4][0] + (i < 4 ? 0 : .3), y = unit_square[i % 4][1] + (i < 4 ? 0 : .7);
     p[i] = Point(x, y, x / 3 + y / 7);
   }

@@ -49,13 +49,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Json = nlohmann::ordered_json;
 
-enum Exit_code
-{
-  ALL_IS_MET = 0,
-  SOMETHING_IS_NOT_MET = 1,
-  USAGE_ERROR = 2,
-  UNUSABLE_FILE = 3
-};
+enum Exit_code { ALL_IS_MET = 0, SOMETHING_IS_NOT_MET = 1, USAGE_ERROR = 2, UNUSABLE_FILE = 3 };
 
 const char* const exit_codes =
   "The format of a mesh (.mesh, .vtk, .vtu) and of a surface (also .off, .obj, .stl, .ply) is told by the extension.\n"
@@ -94,30 +88,56 @@ void add_options(CLI::App& app, Options& o)
   app.get_formatter()->column_width(34);
   app.add_option("INPUT", o.input, "the mesh to optimize")->required();
   app.add_option("OUTPUT", o.output, "the file to write; may be INPUT")->required();
-  app.add_option("--reference", o.reference, "the surface that the boundary represents (default: the boundary as it is)")
+  app
+    .add_option("--reference", o.reference, "the surface that the boundary represents (default: the boundary as it is)")
     ->type_name("SURFACE");
-  app.add_option("--features-angle", o.features_angle, "an edge is sharp if the normals beside it differ by more than this")
-    ->type_name("DEGREES")->check(CLI::Range(0., 180.).description(""))->capture_default_str();
+  app
+    .add_option("--features-angle", o.features_angle,
+                "an edge is sharp if the normals beside it differ by more than this")
+    ->type_name("DEGREES")
+    ->check(CLI::Range(0., 180.).description(""))
+    ->capture_default_str();
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
   app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the reference exactly");
-  app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")->type_name("FILE");
-  app.add_option("--method", o.method, "rectification or the maximization of quality alone, or one after the other (full)")
-    ->type_name("METHOD")->check(CLI::IsMember({"full", "rectification", "maximization"}))->capture_default_str();
-  app.add_option("--edge-lengths", o.edge_lengths,
-                 "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
-    ->type_name("LENGTHS")->check(CLI::IsMember({"estimated", "input"}))->capture_default_str();
+  app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
+    ->type_name("FILE");
+  app
+    .add_option("--method", o.method,
+                "rectification or the maximization of quality alone, or one after the other (full)")
+    ->type_name("METHOD")
+    ->check(CLI::IsMember({"full", "rectification", "maximization"}))
+    ->capture_default_str();
+  app
+    .add_option(
+      "--edge-lengths", o.edge_lengths,
+      "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
+    ->type_name("LENGTHS")
+    ->check(CLI::IsMember({"estimated", "input"}))
+    ->capture_default_str();
   app.add_option("--iterations", o.iterations, "the most local-global iterations before target lengths are updated")
-    ->type_name("N")->check(count)->capture_default_str();
+    ->type_name("N")
+    ->check(count)
+    ->capture_default_str();
   app.add_option("--restarts", o.restarts, "how often rectification starts again with updated target lengths")
-    ->type_name("N")->check(count)->capture_default_str();
-  app.add_option("--target-quality", o.target_quality, "stop once the mesh is valid and its minimum scaled Jacobian this good")
+    ->type_name("N")
+    ->check(count)
+    ->capture_default_str();
+  app
+    .add_option("--target-quality", o.target_quality,
+                "stop once the mesh is valid and its minimum scaled Jacobian this good")
     ->type_name("QUALITY");
-  app.add_option("--max-deviation", o.maximum_deviation, "how far the boundary and the reference may be apart, in both directions")
-    ->type_name("LENGTH")->check(CLI::PositiveNumber.description(""));
+  app
+    .add_option("--max-deviation", o.maximum_deviation,
+                "how far the boundary and the reference may be apart, in both directions")
+    ->type_name("LENGTH")
+    ->check(CLI::PositiveNumber.description(""));
   app.add_option("--time-limit", o.time_limit, "stop after that time and write the best mesh so far")
-    ->type_name("SECONDS")->check(CLI::Range(0., 1e9).description(""));
+    ->type_name("SECONDS")
+    ->check(CLI::Range(0., 1e9).description(""));
   app.add_option("--threads", o.threads, "number of threads (one, if this program was built without TBB)")
-    ->type_name("N")->check(CLI::Range(1, 1024).description(""))->capture_default_str();
+    ->type_name("N")
+    ->check(CLI::Range(1, 1024).description(""))
+    ->capture_default_str();
   app.add_option("--json", o.json, "write the report, with every iteration, to this file")->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "print nothing but errors");
 }
@@ -135,9 +155,7 @@ void interrupt(int signal)
 class Watcher
 {
 public:
-  explicit Watcher(bool quiet)
-    : shows_progress_(!quiet && is_terminal())
-  {}
+  explicit Watcher(bool quiet) : shows_progress_(!quiet && is_terminal()) {}
 
   bool on_iteration(const HMO::Iteration& i)
   {
@@ -145,8 +163,7 @@ public:
     if (shows_progress_ && i.seconds >= next_) {
       next_ = i.seconds + .1; // no terminal needs more
       std::fprintf(stderr, "\r%.1f s  %s %zu: %zu inverted, scaled Jacobian minimum %.3f, mean %.3f\033[K", i.seconds,
-                   HMO::name(i.stage), i.iteration, i.number_of_inverted,
-                   i.minimum, i.average);
+                   HMO::name(i.stage), i.iteration, i.number_of_inverted, i.minimum, i.average);
       std::fflush(stderr);
     }
     return !is_interrupted;
@@ -248,21 +265,22 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
     frozen = read_vertices(o.frozen, mesh.points.size());
-  const auto np =
-    CGAL::parameters::features_angle_bound(o.features_angle)
-      .fixed_boundary(o.fixed_boundary)
-      .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE)
-      .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
-      .optimization_method(o.method == "full"            ? HMO::Method::FULL
-                           : o.method == "rectification" ? HMO::Method::RECTIFICATION
-                                                         : HMO::Method::MAXIMIZATION)
-      .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT : HMO::Target_edge_lengths::ESTIMATED)
-      .number_of_iterations(o.iterations)
-      .number_of_restarts(o.restarts)
-      .target_quality(o.target_quality)
-      .maximum_deviation(o.maximum_deviation)
-      .maximum_running_time(o.time_limit)
-      .visitor(std::ref(watcher));
+  const auto np = CGAL::parameters::features_angle_bound(o.features_angle)
+                    .fixed_boundary(o.fixed_boundary)
+                    .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE
+                                                     : HMO::Boundary_placement::WITHIN_TOLERANCE)
+                    .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
+                    .optimization_method(o.method == "full"            ? HMO::Method::FULL
+                                         : o.method == "rectification" ? HMO::Method::RECTIFICATION
+                                                                       : HMO::Method::MAXIMIZATION)
+                    .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
+                                                                   : HMO::Target_edge_lengths::ESTIMATED)
+                    .number_of_iterations(o.iterations)
+                    .number_of_restarts(o.restarts)
+                    .target_quality(o.target_quality)
+                    .maximum_deviation(o.maximum_deviation)
+                    .maximum_running_time(o.time_limit)
+                    .visitor(std::ref(watcher));
   Surface_mesh reference;
   if (!o.reference.empty())
     CGAL::IO::read_surface(o.reference, reference);
@@ -276,13 +294,20 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
 const char* in_words(HMO::Return_code code)
 {
   switch (code) {
-  case HMO::Return_code::CONVERGED: return "further iterations would not improve the mesh";
-  case HMO::Return_code::TARGET_QUALITY_REACHED: return "the target quality is reached";
-  case HMO::Return_code::ITERATION_LIMIT: return "the iterations of the last stage were used up while the mesh still changed";
-  case HMO::Return_code::TIME_LIMIT: return "the time limit was reached";
-  case HMO::Return_code::STOPPED_BY_VISITOR: return "interrupted";
-  case HMO::Return_code::DEVIATION_BOUND_NOT_MET: return "the boundary is not shown to be as close to the reference as asked for";
-  case HMO::Return_code::NO_IMPROVEMENT: return "nothing better than the input was found, which is unchanged";
+  case HMO::Return_code::CONVERGED:
+    return "further iterations would not improve the mesh";
+  case HMO::Return_code::TARGET_QUALITY_REACHED:
+    return "the target quality is reached";
+  case HMO::Return_code::ITERATION_LIMIT:
+    return "the iterations of the last stage were used up while the mesh still changed";
+  case HMO::Return_code::TIME_LIMIT:
+    return "the time limit was reached";
+  case HMO::Return_code::STOPPED_BY_VISITOR:
+    return "interrupted";
+  case HMO::Return_code::DEVIATION_BOUND_NOT_MET:
+    return "the boundary is not shown to be as close to the reference as asked for";
+  case HMO::Return_code::NO_IMPROVEMENT:
+    return "nothing better than the input was found, which is unchanged";
   }
   return "";
 }
@@ -297,7 +322,8 @@ std::string text(Number x)
 
 void print_row(const std::string& title, const std::string& before, const std::string& after)
 {
-  std::cout << std::left << std::setw(32) << title << std::right << std::setw(12) << before << std::setw(12) << after << '\n';
+  std::cout << std::left << std::setw(32) << title << std::right << std::setw(12) << before << std::setw(12) << after
+            << '\n';
 }
 
 void print_connectivity_limits(const HMO::Status& status)
@@ -305,7 +331,8 @@ void print_connectivity_limits(const HMO::Status& status)
   const std::vector<HMO::Connectivity_limit>& limits = status.connectivity_limits;
   const std::size_t reached = std::count_if(limits.begin(), limits.end(), [](const auto& l) { return l.is_reached(); });
   if (reached > 0)
-    std::cout << reached << " hexahedra are at the limit that the connectivity sets (--json lists them with reasons).\n";
+    std::cout << reached
+              << " hexahedra are at the limit that the connectivity sets (--json lists them with reasons).\n";
   if (limits.size() > reached)
     std::cout << limits.size() - reached << (reached > 0 ? " more" : " hexahedra")
               << " have a limit below 1 from the connectivity and are below it.\n";
@@ -338,11 +365,13 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   if (status.orientation_reversed)
     std::cout << "The hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
   if (!status.is_within_deviation_bound())
-    std::cout << "THE BOUND OF THE DEVIATION IS NOT " << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
-              << ": the maximum is between " << text(status.deviation.maximum) << " and " << text(status.deviation.certified)
-              << ", the bound " << text(status.deviation_bound) << ".\n";
+    std::cout << "THE BOUND OF THE DEVIATION IS NOT "
+              << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
+              << ": the maximum is between " << text(status.deviation.maximum) << " and "
+              << text(status.deviation.certified) << ", the bound " << text(status.deviation_bound) << ".\n";
   if (!status.released_vertices.empty())
-    std::cout << text(status.released_vertices.size()) << " vertices could not be brought to the corners, curves or faces of the reference"
+    std::cout << text(status.released_vertices.size())
+              << " vertices could not be brought to the corners, curves or faces of the reference"
               << " that they belong to (--json lists them).\n";
   print_connectivity_limits(status);
   if (status.valid_mesh()) {
@@ -352,24 +381,33 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   const std::vector<std::size_t>& invalid = status.invalid_hexahedra;
   const std::size_t shown = (std::min)(invalid.size(), std::size_t(20));
   std::cout << "THE MESH IS NOT VALID. Invalid hexahedra and their centers"
-            << (shown < invalid.size() ? ", the first " + text(shown) + " of " + text(invalid.size()) : std::string()) << ":\n";
+            << (shown < invalid.size() ? ", the first " + text(shown) + " of " + text(invalid.size()) : std::string())
+            << ":\n";
   for (std::size_t i = 0; i < shown; ++i)
     std::cout << std::setw(10) << invalid[i] << "  (" << mesh.center(invalid[i]) << ")\n";
   if (!status.locked_hexahedra.empty())
-    std::cout << text(status.locked_hexahedra.size()) << " of them have an inverted corner whose vertices are all fixed.\n";
+    std::cout << text(status.locked_hexahedra.size())
+              << " of them have an inverted corner whose vertices are all fixed.\n";
 }
 
 // The report has the members of the structs, and the enumerators, under their own names.
 Json json(HMO::Return_code code)
 {
   switch (code) {
-  case HMO::Return_code::CONVERGED: return "CONVERGED";
-  case HMO::Return_code::TARGET_QUALITY_REACHED: return "TARGET_QUALITY_REACHED";
-  case HMO::Return_code::ITERATION_LIMIT: return "ITERATION_LIMIT";
-  case HMO::Return_code::TIME_LIMIT: return "TIME_LIMIT";
-  case HMO::Return_code::STOPPED_BY_VISITOR: return "STOPPED_BY_VISITOR";
-  case HMO::Return_code::DEVIATION_BOUND_NOT_MET: return "DEVIATION_BOUND_NOT_MET";
-  case HMO::Return_code::NO_IMPROVEMENT: return "NO_IMPROVEMENT";
+  case HMO::Return_code::CONVERGED:
+    return "CONVERGED";
+  case HMO::Return_code::TARGET_QUALITY_REACHED:
+    return "TARGET_QUALITY_REACHED";
+  case HMO::Return_code::ITERATION_LIMIT:
+    return "ITERATION_LIMIT";
+  case HMO::Return_code::TIME_LIMIT:
+    return "TIME_LIMIT";
+  case HMO::Return_code::STOPPED_BY_VISITOR:
+    return "STOPPED_BY_VISITOR";
+  case HMO::Return_code::DEVIATION_BOUND_NOT_MET:
+    return "DEVIATION_BOUND_NOT_MET";
+  case HMO::Return_code::NO_IMPROVEMENT:
+    return "NO_IMPROVEMENT";
   }
   return Json();
 }
@@ -392,21 +430,21 @@ Json json(const HMO::Quality_statistics& s)
 Json json(HMO::Stage stage)
 {
   switch (stage) {
-  case HMO::Stage::RECTIFICATION: return "RECTIFICATION";
-  case HMO::Stage::UNTANGLING: return "UNTANGLING";
-  case HMO::Stage::MAXIMIZATION: return "MAXIMIZATION";
+  case HMO::Stage::RECTIFICATION:
+    return "RECTIFICATION";
+  case HMO::Stage::UNTANGLING:
+    return "UNTANGLING";
+  case HMO::Stage::MAXIMIZATION:
+    return "MAXIMIZATION";
   }
   return Json();
 }
 
 Json json(const HMO::Iteration& i)
 {
-  return {{"stage", json(i.stage)},
-          {"iteration", i.iteration},
-          {"energy", i.energy},
-          {"number_of_inverted", i.number_of_inverted},
-          {"minimum", i.minimum},
-          {"average", i.average},
+  return {{"stage", json(i.stage)}, {"iteration", i.iteration},
+          {"energy", i.energy},     {"number_of_inverted", i.number_of_inverted},
+          {"minimum", i.minimum},   {"average", i.average},
           {"seconds", i.seconds}};
 }
 
@@ -471,7 +509,8 @@ Json json(const HMO::Status& status, const Mesh& mesh)
           {"connectivity_limits", limits}};
 }
 
-void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh, const std::vector<HMO::Iteration>& iterations)
+void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh,
+                const std::vector<HMO::Iteration>& iterations)
 {
   Json report = {{"options", json(options)}, {"status", json(status, mesh)}, {"iterations", Json::array()}};
   for (const HMO::Iteration& i : iterations)
@@ -511,21 +550,25 @@ Exit_code run(const Options& options)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Moves the vertices of a hexahedral mesh until no hexahedron is inverted and all are as good as the connectivity allows.");
+  CLI::App app("Moves the vertices of a hexahedral mesh until no hexahedron is inverted and all are as good as the "
+               "connectivity allows.");
   Options options;
   add_options(app, options);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
+  }
+  catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : USAGE_ERROR; // 0: --help
   }
 
   try {
     return run(options);
-  } catch (const HMO::Input_error& error) {
+  }
+  catch (const HMO::Input_error& error) {
     std::cerr << "error: " << error.message() << '\n';
     return error.element() == HMO::Input_error::Element::PARAMETER ? USAGE_ERROR : UNUSABLE_FILE;
-  } catch (const std::exception& error) {
+  }
+  catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << '\n';
     return UNUSABLE_FILE;
   }

@@ -23,6 +23,7 @@ int main()
   const auto status = CGAL::optimize_hex_mesh(points, hexahedra);
 
   std::cout << status.before.number_of_inverted << " of " << hexahedra.size() << " hexahedra were inverted, "
-            << status.after.number_of_inverted << " are; the minimum scaled Jacobian is " << status.after.minimum << ".\n";
+            << status.after.number_of_inverted << " are; the minimum scaled Jacobian is " << status.after.minimum
+            << ".\n";
   return status.valid_mesh() ? 0 : 1;
 }

@@ -51,16 +51,14 @@ int main()
 
   // ... and the surface that its boundary represents
   CGAL::Surface_mesh<Point> reference;
-  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
-                        Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1), reference);
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1), Point(0, 0, 1),
+                        Point(1, 0, 1), Point(1, 1, 1), reference);
   CGAL::Polygon_mesh_processing::triangulate_faces(reference);
 
   Printer printer;
-  const HMO::Status status = CGAL::optimize_hex_mesh(lcc, reference,
-                                                     CGAL::parameters::features_angle_bound(60)
-                                                       .target_quality(.8)
-                                                       .maximum_running_time(60)
-                                                       .visitor(std::ref(printer)));
+  const HMO::Status status = CGAL::optimize_hex_mesh(
+    lcc, reference,
+    CGAL::parameters::features_angle_bound(60).target_quality(.8).maximum_running_time(60).visitor(std::ref(printer)));
 
   std::cout << "after " << printer.calls << " iterations: " << (status.valid_mesh() ? "valid" : "not valid")
             << ", maximum deviation " << status.deviation.maximum << '\n';

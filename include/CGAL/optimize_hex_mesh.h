@@ -35,17 +35,22 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 template <class T>
-struct Is_named_parameters : std::false_type {};
+struct Is_named_parameters : std::false_type
+{};
 template <class T, class Tag, class Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type {};
+struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
+{};
 
 // They tell the four overloads apart.
 template <class LCC, class T>
-using Enable_for_reference = std::enable_if_t<Is_linear_cell_complex<LCC>::value && !Is_named_parameters<T>::value, int>;
+using Enable_for_reference =
+  std::enable_if_t<Is_linear_cell_complex<LCC>::value && !Is_named_parameters<T>::value, int>;
 template <class LCC, class T>
-using Enable_for_parameters = std::enable_if_t<Is_linear_cell_complex<LCC>::value && Is_named_parameters<T>::value, int>;
+using Enable_for_parameters =
+  std::enable_if_t<Is_linear_cell_complex<LCC>::value && Is_named_parameters<T>::value, int>;
 template <class PointRange, class T, bool last>
-using Enable_for_ranges = std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && Is_named_parameters<T>::value == last, int>;
+using Enable_for_ranges =
+  std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && Is_named_parameters<T>::value == last, int>;
 
 template <class HexahedronRange>
 std::vector<Hexahedron> engine_hexahedra(const HexahedronRange& hexahedra)
@@ -81,12 +86,13 @@ Positions engine_positions(const PointRange& points)
 
 // point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
 template <class ConcurrencyTag, class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
-Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys, const Reference_input* reference,
-                const NamedParameters& np, PointOf point)
+Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys,
+                const Reference_input* reference, const NamedParameters& np, PointOf point)
 {
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
 #ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support, or use CGAL::Parallel_if_available_tag");
+  static_assert(!is_parallel,
+                "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support, or use CGAL::Parallel_if_available_tag");
 #endif
   const Positions before = engine_positions(points);
   Positions after = before;
@@ -110,7 +116,8 @@ Status optimize_ranges(PointRange& points, const HexahedronRange& hexahedra, con
 {
   std::vector<std::size_t> keys(points.size());
   std::iota(keys.begin(), keys.end(), std::size_t(0));
-  return optimize<ConcurrencyTag>(points, hexahedra, keys, reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
+  return optimize<ConcurrencyTag>(
+    points, hexahedra, keys, reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
 }
 
 template <class ConcurrencyTag, class LCC, class NamedParameters>
@@ -120,8 +127,9 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
   std::vector<std::array<std::size_t, 8>> hexahedra;
   std::vector<typename Linear_cell_complex_types<LCC>::Vertex> vertices;
   linear_cell_complex_to_hexahedra(lcc, points, hexahedra, vertices);
-  return optimize<ConcurrencyTag>(points, hexahedra, vertices, reference, np,
-                  [&](std::size_t v) -> auto& { return lcc.point_of_vertex_attribute(vertices[v]); });
+  return optimize<ConcurrencyTag>(
+    points, hexahedra, vertices, reference,
+    np, [&](std::size_t v) -> auto& { return lcc.point_of_vertex_attribute(vertices[v]); });
 }
 
 } // namespace internal
@@ -136,7 +144,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * part of the reference.
  *
  * What the call guarantees for every input it accepts:
- * - the number of inverted hexahedra does not rise, a valid mesh stays valid, and if its boundary is within what is tolerated,
+ * - the number of inverted hexahedra does not rise, a valid mesh stays valid, and if its boundary is within what is
+ * tolerated,
  *   that stays so and its minimum scaled Jacobian does not fall: if the optimization finds nothing better in the
  *   \ref HexMeshOptimizationOrder "order of goals", all positions stay;
  * - constrained vertices, and all boundary vertices if the boundary is fixed, keep their coordinates bit for bit;
@@ -145,9 +154,10 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *
  * That the result is valid is no guarantee but is certified where it holds: `Status::valid_mesh()`.
  *
- * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`, `Parallel_tag`,
- *         and `Parallel_if_available_tag`. Parallel, it runs in the TBB task arena of the caller. The result is the same, bit
- *         for bit, whatever the number of threads.
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ * `Parallel_tag`,
+ *         and `Parallel_if_available_tag`. Parallel, it runs in the TBB task arena of the caller. The result is the
+ *         same, bit for bit, whatever the number of threads.
  * \tparam LCC `Linear_cell_complex_for_combinatorial_map` or `Linear_cell_complex_for_generalized_map` of dimension 3
  *         and ambient dimension 3, with any items and storage
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -160,17 +170,20 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of `reference`}
- *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
+ *     key}
  *     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, reference)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{the feature edges of `reference`; takes the place of their detection by angle}
- *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key and `bool` as value}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
+ *     and `bool` as value}
  *     \cgalParamDefault{edges are detected, see `features_angle_bound`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{features_angle_bound}
  *     \cgalParamDescription{an edge of the reference is sharp if the normals of its faces differ by more than this
- *                           angle in degrees. Short curves that do not separate two patches of the surface are ignored.}
+ *                           angle in degrees. Short curves that do not separate two patches of the surface are
+ *                           ignored.}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{45}
  *   \cgalParamNEnd
@@ -186,9 +199,10 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{boundary_placement}
- *     \cgalParamDescription{where the vertices of the boundary have to be: within what is tolerated, corners on the corners of the
- *                           reference; or all of them on what they are attached to exactly, sliding along the surface and its
- *                           feature curves}
+ *     \cgalParamDescription{where the vertices of the boundary have to be: within what is tolerated, corners on the
+ *     corners of the
+ *                           reference; or all of them on what they are attached to exactly, sliding along the surface
+ *                           and its feature curves}
  *     \cgalParamType{`Hex_mesh_optimization::Boundary_placement`}
  *     \cgalParamDefault{`Hex_mesh_optimization::Boundary_placement::WITHIN_TOLERANCE`}
  *   \cgalParamNEnd
@@ -198,17 +212,20 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`Hex_mesh_optimization::Method::FULL`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_quality}
- *     \cgalParamDescription{the optimization ends as soon as the mesh is valid and its minimum scaled Jacobian at least this}
+ *     \cgalParamDescription{the optimization ends as soon as the mesh is valid and its minimum scaled Jacobian at least
+ *     this}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{none: it goes on while the mesh improves}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
- *     \cgalParamDescription{how far the boundary of the mesh and the reference may be from each other, as a length, in both
- *                           directions. The bound comes before the quality, but after validity. Whether the result obeys it
- *                           is certified: `Status::is_within_deviation_bound()`; where it does not, the return code is
- *                           `Return_code::DEVIATION_BOUND_NOT_MET`.}
+ *     \cgalParamDescription{how far the boundary of the mesh and the reference may be from each other, as a length, in
+ *     both
+ *                           directions. The bound comes before the quality, but after validity. Whether the result
+ *                           obeys it is certified: `Status::is_within_deviation_bound()`; where it does not, the return
+ *                           code is `Return_code::DEVIATION_BOUND_NOT_MET`.}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{none: deviation is weighed against quality, and grows expensive from about a fifth of an edge on}
+ *     \cgalParamDefault{none: deviation is weighed against quality, and grows expensive from about a fifth of an edge
+ *     on}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_lengths}
  *     \cgalParamDescription{where the target lengths of the edges come from}
@@ -237,7 +254,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{2}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_weight}
- *     \cgalParamDescription{\f$ \beta \f$ of the paper, eq. 21: the weight that holds vertices on the smooth surface, in
+ *     \cgalParamDescription{\f$ \beta \f$ of the paper, eq. 21: the weight that holds vertices on the smooth surface,
+ *     in
  *                           a mesh whose boundary edges have mean length 1; adapted at each vertex}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{100}
@@ -269,7 +287,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{sees every iteration and can end the optimization, see `Hex_mesh_optimization::Default_visitor`;
+ *     \cgalParamDescription{sees every iteration and can end the optimization, see
+ *     `Hex_mesh_optimization::Default_visitor`;
  *                           pass `std::ref(visitor)` to keep what it collects}
  *     \cgalParamType{a class with the member function of `Hex_mesh_optimization::Default_visitor`}
  *     \cgalParamDefault{`Hex_mesh_optimization::Default_visitor`}
@@ -284,9 +303,10 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * \return why the optimization stopped, the quality before and after, the deviation from the reference, the hexahedra
  *         that are not valid, and those whose quality the connectivity limits
  *
- * \throws Hex_mesh_optimization::Input_error if the mesh is empty, has a cell that is no hexahedron, a hexahedron with a
- *         repeated vertex, a coordinate that is not finite, or a boundary that is not a manifold; if the reference is
- *         empty, not triangulated, has a coordinate that is not finite, or has a size or a place that cannot belong to the mesh; or if a parameter has no usable value
+ * \throws Hex_mesh_optimization::Input_error if the mesh is empty, has a cell that is no hexahedron, a hexahedron with
+ *         a repeated vertex, a coordinate that is not finite, or a boundary that is not a manifold; if the reference is
+ *         empty, not triangulated, has a coordinate that is not finite, or has a size or a place that cannot belong to
+ *         the mesh; or if a parameter has no usable value
  *
  * Source: Marco Livesu, Alla Sheffer, Nicholas Vining, Marco Tarini, <em>Practical Hex-Mesh Optimization via Edge-Cone
  * Rectification</em>, ACM Transactions on Graphics 34(4), 2015.
@@ -294,10 +314,11 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * Each iteration solves sparse linear systems by conjugate gradients and queries AABB trees: its time grows slightly
  * faster than linearly in the number of hexahedra, its memory linearly.
  */
-template <class ConcurrencyTag = CGAL::Sequential_tag,
-          class LCC, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag, class LCC, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , Hex_mesh_optimization::internal::Enable_for_reference<LCC, TriangleMesh> = 0
+          ,
+          Hex_mesh_optimization::internal::Enable_for_reference<LCC, TriangleMesh> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& reference,
@@ -314,10 +335,11 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& re
  * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface. Its quadrangles
  * are split into triangles from their first corners. `features_angle_bound` applies to the quadrangles.
  */
-template <class ConcurrencyTag = CGAL::Sequential_tag,
-          class LCC, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag, class LCC,
+          class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , Hex_mesh_optimization::internal::Enable_for_parameters<LCC, NamedParameters> = 0
+          ,
+          Hex_mesh_optimization::internal::Enable_for_parameters<LCC, NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters& np = parameters::default_values())
@@ -329,20 +351,22 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters&
  * \ingroup PkgHexMeshOptimizationRef
  *
  * optimizes as above a mesh given by its points and, for each hexahedron, the indices of its eight vertices: the first
- * four around the bottom, counter-clockwise seen from inside, the other four above them (the numbering of VTK and Medit).
- * Points that no hexahedron uses are kept. Hexahedra all numbered inside out are accepted and reported by
+ * four around the bottom, counter-clockwise seen from inside, the other four above them (the numbering of VTK and
+ * Medit). Points that no hexahedron uses are kept. Hexahedra all numbered inside out are accepted and reported by
  * `Status::orientation_reversed`; `hexahedra` itself is not changed.
  *
  * \tparam PointRange a model of `RandomAccessContainer` of 3D points
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight integers
  */
-template <class ConcurrencyTag = CGAL::Sequential_tag,
-          class PointRange, class HexahedronRange, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class HexahedronRange, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, TriangleMesh, false> = 0
+          ,
+          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, TriangleMesh, false> = 0
 #endif
           >
-Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra, const TriangleMesh& reference,
+Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra,
+                                                const TriangleMesh& reference,
                                                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
@@ -355,10 +379,11 @@ Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const Hexahe
  *
  * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface.
  */
-template <class ConcurrencyTag = CGAL::Sequential_tag,
-          class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
+template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class HexahedronRange,
+          class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, NamedParameters, true> = 0
+          ,
+          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, NamedParameters, true> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra,

@@ -34,8 +34,9 @@ inline Corner corner_at(const Corner::Vector_3* x, int i)
   return Corner(x[next[0]] - x[i], x[next[1]] - x[i], x[next[2]] - x[i]);
 }
 
-inline std::array<Corner::Vector_3, 8> hexahedron_corners(const CGAL::Hex_mesh_optimization::internal::Positions& points,
-                                                          const CGAL::Hex_mesh_optimization::internal::Hexahedron& h)
+inline std::array<Corner::Vector_3, 8>
+hexahedron_corners(const CGAL::Hex_mesh_optimization::internal::Positions& points,
+                   const CGAL::Hex_mesh_optimization::internal::Hexahedron& h)
 {
   std::array<Corner::Vector_3, 8> x;
   for (int i = 0; i < 8; ++i)

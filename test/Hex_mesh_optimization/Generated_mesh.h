@@ -30,10 +30,12 @@ struct Generated_mesh
   Hexahedral_complex complex;
 
   template <class Make>
-  explicit Generated_mesh(Make make) : Generated_mesh(generated(make)) {}
+  explicit Generated_mesh(Make make) : Generated_mesh(generated(make))
+  {}
 
   explicit Generated_mesh(const std::pair<Positions, std::vector<Hexahedron>>& mesh)
-    : points(mesh.first), complex(points.size(), mesh.second)
+    : points(mesh.first)
+    , complex(points.size(), mesh.second)
   {}
 
   template <class Make>
@@ -58,9 +60,18 @@ struct Generated_mesh
   }
 };
 
-inline Generated_mesh block(std::size_t n) { return Generated_mesh([&](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_block(p, h, {{n, n, n}}); }); }
-inline Generated_mesh cylinder(std::size_t n) { return Generated_mesh([&](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_cylinder(p, h, n, n); }); }
-inline Generated_mesh l_shape(std::size_t n) { return Generated_mesh([&](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_l_shape(p, h, n); }); }
+inline Generated_mesh block(std::size_t n)
+{
+  return Generated_mesh([&](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_block(p, h, {{n, n, n}}); });
+}
+inline Generated_mesh cylinder(std::size_t n)
+{
+  return Generated_mesh([&](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_cylinder(p, h, n, n); });
+}
+inline Generated_mesh l_shape(std::size_t n)
+{
+  return Generated_mesh([&](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_l_shape(p, h, n); });
+}
 
 } // namespace test
 

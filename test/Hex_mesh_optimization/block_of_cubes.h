@@ -32,7 +32,8 @@ struct Block
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i)
           hexahedra.push_back({vertex(i, j, k), vertex(i + 1, j, k), vertex(i + 1, j + 1, k), vertex(i, j + 1, k),
-                               vertex(i, j, k + 1), vertex(i + 1, j, k + 1), vertex(i + 1, j + 1, k + 1), vertex(i, j + 1, k + 1)});
+                               vertex(i, j, k + 1), vertex(i + 1, j, k + 1), vertex(i + 1, j + 1, k + 1),
+                               vertex(i, j + 1, k + 1)});
   }
 
   int vertex(int i, int j, int k) const { return i + (nx + 1) * (j + (ny + 1) * k); }

@@ -19,19 +19,16 @@ inline std::vector<std::array<int, 8>> numberings(int determinant)
 {
   std::vector<std::array<int, 8>> result;
   std::array<int, 3> axes = {{0, 1, 2}};
-  do
-  {
+  do {
     const int inversions = (axes[0] > axes[1]) + (axes[0] > axes[2]) + (axes[1] > axes[2]);
-    for (int flips = 0; flips < 8; ++flips)
-    {
+    for (int flips = 0; flips < 8; ++flips) {
       const int flip[3] = {flips & 1, flips >> 1 & 1, flips >> 2};
       const int sign = (inversions + flip[0] + flip[1] + flip[2]) % 2 == 0 ? 1 : -1;
       if (sign != determinant)
         continue;
       std::array<int, 8> numbering;
       for (int corner = 0; corner < 8; ++corner)
-        for (int image = 0; image < 8; ++image)
-        {
+        for (int image = 0; image < 8; ++image) {
           bool same = true;
           for (int d = 0; d < 3; ++d)
             same = same && unit_corners[image][d] == (unit_corners[corner][axes[d]] ^ flip[d]);

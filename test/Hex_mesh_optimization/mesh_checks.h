@@ -29,7 +29,8 @@ bool same_bits(const Point& a, const Point& b)
 template <class Points>
 bool same_points(const Points& p, const Points& q)
 {
-  return p.size() == q.size() && std::equal(p.begin(), p.end(), q.begin(), [](const auto& a, const auto& b) { return same_bits(a, b); });
+  return p.size() == q.size() &&
+         std::equal(p.begin(), p.end(), q.begin(), [](const auto& a, const auto& b) { return same_bits(a, b); });
 }
 
 template <class Mesh>

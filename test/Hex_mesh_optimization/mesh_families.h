@@ -63,8 +63,14 @@ inline const std::vector<Mesh_family>& mesh_families()
 {
   namespace HMO = CGAL::Hex_mesh_optimization;
   static const std::vector<Mesh_family> families = {
-    {"block", [](Indexed_mesh& m) { HMO::make_block(m.points, m.hexahedra, {{4, 3, 5}}, {{4, 3, 5}}); }},
-    {"graded_block", [](Indexed_mesh& m) { HMO::make_block(m.points, m.hexahedra, {{4, 4, 4}}, {{1, 1, 1}}, {{1, 2, 3}}); }},
+    {"block",
+     [](Indexed_mesh& m) {
+       HMO::make_block(m.points, m.hexahedra, {{4, 3, 5}}, {{4, 3, 5}});
+     }},
+    {"graded_block",
+     [](Indexed_mesh& m) {
+       HMO::make_block(m.points, m.hexahedra, {{4, 4, 4}}, {{1, 1, 1}}, {{1, 2, 3}});
+     }},
     {"bar", [](Indexed_mesh& m) { HMO::make_bent_bar(m.points, m.hexahedra, 8, 3); }},
     {"twisted_bar", [](Indexed_mesh& m) { HMO::make_bent_bar(m.points, m.hexahedra, 8, 3, 4, 1, 1, 1); }},
     {"cylinder", [](Indexed_mesh& m) { HMO::make_cylinder(m.points, m.hexahedra, 3, 4); }},
@@ -80,7 +86,10 @@ inline const std::vector<Mesh_family>& mesh_families()
 struct Family_name
 {
   template <class Info>
-  std::string operator()(const Info& info) const { return info.param.name; }
+  std::string operator()(const Info& info) const
+  {
+    return info.param.name;
+  }
 };
 
 inline CGAL::Hex_mesh_optimization::internal::Positions positions(const Indexed_mesh& mesh)

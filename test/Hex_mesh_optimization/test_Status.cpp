@@ -128,13 +128,13 @@ TEST(Return_code, is_that_of_the_bound_of_the_deviation_where_it_is_not_met)
   Indexed_mesh ball;
   HMO::make_ball(ball.points, ball.hexahedra, 3);
   Surface_mesh cube;
-  CGAL::make_hexahedron(Point(-1, -1, -1), Point(1, -1, -1), Point(1, 1, -1), Point(-1, 1, -1), Point(-1, 1, 1), Point(-1, -1, 1),
-                        Point(1, -1, 1), Point(1, 1, 1), cube);
+  CGAL::make_hexahedron(Point(-1, -1, -1), Point(1, -1, -1), Point(1, 1, -1), Point(-1, 1, -1), Point(-1, 1, 1),
+                        Point(-1, -1, 1), Point(1, -1, 1), Point(1, 1, 1), cube);
   CGAL::Polygon_mesh_processing::triangulate_faces(cube);
   for (double bound : {1e-3, 1.}) {
     Indexed_mesh mesh = ball;
-    const Status status =
-      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, cube, params::fixed_boundary(true).maximum_deviation(bound));
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, cube,
+                                                  params::fixed_boundary(true).maximum_deviation(bound));
     EXPECT_EQ(status.is_within_deviation_bound(), bound == 1);
     EXPECT_EQ(status.return_code == Return_code::DEVIATION_BOUND_NOT_MET, bound < 1);
     EXPECT_TRUE(status.valid_mesh());

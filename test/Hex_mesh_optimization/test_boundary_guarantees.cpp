@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What becomes of the boundary in whole runs: corners are exact, a bound of the deviation is obeyed, vertices that have to
-// be on the surface are. All is measured here, on the mesh that is handed back.
+// What becomes of the boundary in whole runs: corners are exact, a bound of the deviation is obeyed, vertices that have
+// to be on the surface are. All is measured here, on the mesh that is handed back.
 
 #include <CGAL/optimize_hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
@@ -39,8 +39,9 @@ Surface_mesh surface_of(const Indexed_mesh& mesh)
 {
   using Vertex = Surface_mesh::Vertex_index;
   Surface_mesh surface;
-  for_boundary(mesh, [&](const Point& p) { return surface.add_vertex(p); },
-               [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
+  for_boundary(
+    mesh, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
   return surface;
 }
 
@@ -73,7 +74,8 @@ double largest_distance(const std::vector<Kernel::Triangle_3>& from, const std::
   for (const Kernel::Triangle_3& t : from)
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j)
-        largest = (std::max)(largest, distance(t[0] + double(i) / n * (t[1] - t[0]) + double(j) / n * (t[2] - t[0]), to));
+        largest = (std::max)(largest,
+                             distance(t[0] + double(i) / n * (t[1] - t[0]) + double(j) / n * (t[2] - t[0]), to));
   return largest;
 }
 
@@ -105,13 +107,15 @@ TEST(Corners, of_a_box_stay_bit_for_bit)
     for (std::uint64_t seed = 0; seed < 3; ++seed)
       for (bool has_reference : {false, true})
         for (double edges : {std::numeric_limits<double>::infinity(), .05}) {
-          SCOPED_TRACE(std::to_string(seed) + (has_reference ? " with" : " without") + " a reference, bound " + std::to_string(edges));
+          SCOPED_TRACE(std::to_string(seed) + (has_reference ? " with" : " without") + " a reference, bound " +
+                       std::to_string(edges));
           const Indexed_mesh intact = sheared(straight);
           Indexed_mesh mesh = intact;
           HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .8);
           const auto np = params::maximum_deviation(edges * intact.mean_edge_length());
-          const Status status = has_reference ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface_of(intact), np)
-                                              : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
+          const Status status = has_reference
+                                  ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface_of(intact), np)
+                                  : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
           EXPECT_TRUE(status.valid_mesh());
           for (std::size_t v : corners)
             EXPECT_TRUE(same_bits(mesh.points[v], intact.points[v])) << v;
@@ -133,7 +137,8 @@ TEST(Corners, of_a_box_are_those_of_the_reference_where_they_came_in_beside_them
   }
 }
 
-class Boundary_guarantees : public ::testing::TestWithParam<Mesh_family> {};
+class Boundary_guarantees : public ::testing::TestWithParam<Mesh_family>
+{};
 
 INSTANTIATE_TEST_SUITE_P(Families, Boundary_guarantees, ::testing::ValuesIn(mesh_families()), Family_name());
 
@@ -171,14 +176,15 @@ void expect_on_surface(const Indexed_mesh& intact, bool all_arrive)
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     Indexed_mesh mesh = intact;
     HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .1 + double(seed));
-    const Status status =
-      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::boundary_placement(Boundary_placement::ON_SURFACE));
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                  params::boundary_placement(Boundary_placement::ON_SURFACE));
     EXPECT_TRUE(status.valid_mesh());
     const auto complex = mesh.complex();
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
       if (complex.is_on_boundary[v] &&
           !std::binary_search(status.released_vertices.begin(), status.released_vertices.end(), v)) {
-        EXPECT_LT(distance(mesh.points[v], reference), 1e-10 * intact.mean_edge_length()) << "vertex " << v << ", seed " << seed;
+        EXPECT_LT(distance(mesh.points[v], reference), 1e-10 * intact.mean_edge_length())
+          << "vertex " << v << ", seed " << seed;
       }
     EXPECT_TRUE(status.released_vertices.empty() || !all_arrive) << "seed " << seed;
   }

@@ -85,8 +85,9 @@ const Surface_mesh& surface()
     HMO::make_block(mesh.points, mesh.hexahedra, {{3, 3, 2}}, {{3, 3, 2}});
     Surface_mesh s;
     using Vertex = Surface_mesh::Vertex_index;
-    for_boundary(mesh, [&](const Indexed_mesh::Point& p) { return s.add_vertex(p); },
-                 [&](Vertex a, Vertex b, Vertex c) { s.add_face(a, b, c); });
+    for_boundary(
+      mesh, [&](const Indexed_mesh::Point& p) { return s.add_vertex(p); },
+      [&](Vertex a, Vertex b, Vertex c) { s.add_face(a, b, c); });
     return s;
   }();
   return result;
@@ -109,7 +110,8 @@ struct Ranges
   template <class NamedParameters>
   HMO::Status optimize(bool with_reference, const NamedParameters& np)
   {
-    return with_reference ? CGAL::optimize_hex_mesh(points, hexahedra, surface(), np) : CGAL::optimize_hex_mesh(points, hexahedra, np);
+    return with_reference ? CGAL::optimize_hex_mesh(points, hexahedra, surface(), np)
+                          : CGAL::optimize_hex_mesh(points, hexahedra, np);
   }
 
   std::vector<double> coordinates() const
@@ -180,7 +182,8 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b)
 }
 
 template <class Mesh>
-class Exception_safety : public ::testing::Test {};
+class Exception_safety : public ::testing::Test
+{};
 TYPED_TEST_SUITE(Exception_safety, Meshes);
 
 // Optimizes meshes until one comes through, each with the next `interruption`, and expects of all others that they
@@ -264,15 +267,30 @@ TEST(Exception_safety_of_maps, that_throw)
   using Mesh = Ranges<Indexed_mesh::Kernel>;
   const auto next = [](std::size_t call) { return 2 * call + 1; };
   const auto brief = params::optimization_method(HMO::Method::RECTIFICATION);
-  EXPECT_GT((expect_unchanged<Mesh, std::domain_error>(true, [&](Mesh& mesh, bool reference, std::size_t call) {
-    mesh.optimize(reference, brief.vertex_is_constrained_map(Throwing_map<std::size_t, bool>{&call, false}));
-  }, next)), 4u);
-  EXPECT_GT((expect_unchanged<Mesh, std::domain_error>(true, [&](Mesh& mesh, bool reference, std::size_t call) {
-    mesh.optimize(reference, brief.target_edge_length_map(Throwing_map<std::pair<std::size_t, std::size_t>, double>{&call, 1}));
-  }, next)), 4u);
-  EXPECT_GT((expect_unchanged<Mesh, std::domain_error>(true, [&](Mesh& mesh, bool reference, std::size_t call) {
-    mesh.optimize(reference, brief.edge_is_constrained_map(Throwing_map<Surface_mesh::Edge_index, bool>{&call, false}));
-  }, next)), 4u);
+  EXPECT_GT(
+    (expect_unchanged<Mesh, std::domain_error>(
+      true,
+      [&](Mesh& mesh, bool reference, std::size_t call) {
+        mesh.optimize(reference, brief.vertex_is_constrained_map(Throwing_map<std::size_t, bool>{&call, false}));
+      },
+      next)),
+    4u);
+  EXPECT_GT((expect_unchanged<Mesh, std::domain_error>(
+              true,
+              [&](Mesh& mesh, bool reference, std::size_t call) {
+                mesh.optimize(reference, brief.target_edge_length_map(
+                                           Throwing_map<std::pair<std::size_t, std::size_t>, double>{&call, 1}));
+              },
+              next)),
+            4u);
+  EXPECT_GT((expect_unchanged<Mesh, std::domain_error>(
+              true,
+              [&](Mesh& mesh, bool reference, std::size_t call) {
+                mesh.optimize(reference, brief.edge_is_constrained_map(
+                                           Throwing_map<Surface_mesh::Edge_index, bool>{&call, false}));
+              },
+              next)),
+            4u);
 }
 
 // --- Memory that is used up ---------------------------------------------------------
@@ -280,7 +298,8 @@ TEST(Exception_safety_of_maps, that_throw)
 // Lets one allocation after another fail: each of the first and the last, where the input is taken over and the result
 // is written back, and `samples` of those between.
 template <class Mesh, class NamedParameters>
-void expect_unchanged_without_memory(bool with_reference, const NamedParameters& np, std::size_t dense, std::size_t samples)
+void expect_unchanged_without_memory(bool with_reference, const NamedParameters& np, std::size_t dense,
+                                     std::size_t samples)
 {
   surface();
   Mesh mesh;
@@ -303,13 +322,16 @@ void expect_unchanged_without_memory(bool with_reference, const NamedParameters&
     },
     [&](std::size_t n) { return n < dense || n + dense + stride > total ? n + 1 : n + stride; });
   EXPECT_GE(interrupted, samples + dense);
-  ::testing::Test::RecordProperty(with_reference ? "failures_with_reference" : "failures", static_cast<int>(interrupted));
+  ::testing::Test::RecordProperty(with_reference ? "failures_with_reference" : "failures",
+                                  static_cast<int>(interrupted));
 }
 
 TYPED_TEST(Exception_safety, of_an_allocation_that_fails)
 {
   const auto brief = params::optimization_method(HMO::Method::RECTIFICATION)
-                       .number_of_iterations(1).number_of_restarts(0).maximize_minimum_quality(false);
+                       .number_of_iterations(1)
+                       .number_of_restarts(0)
+                       .maximize_minimum_quality(false);
   for (bool with_reference : {false, true})
     expect_unchanged_without_memory<TypeParam>(with_reference, brief, 100, 10);
 }

@@ -28,8 +28,7 @@ double fraction_inverted(const Points& points, const Hexahedra& hexahedra)
     for (int corner = 0; corner < 8; ++corner) {
       const int* neighbors = HMO::internal::corner_neighbors[corner];
       const Point& p = points[hexahedron[corner]];
-      if (CGAL::determinant(points[hexahedron[neighbors[0]]] - p,
-                            points[hexahedron[neighbors[1]]] - p,
+      if (CGAL::determinant(points[hexahedron[neighbors[0]]] - p, points[hexahedron[neighbors[1]]] - p,
                             points[hexahedron[neighbors[2]]] - p) <= 0) {
         ++inverted;
         break;
@@ -41,8 +40,7 @@ double fraction_inverted(const Points& points, const Hexahedra& hexahedra)
 // In a grid of n^3 unit cells the boundary is known without looking at faces.
 struct Grid
 {
-  explicit Grid(std::size_t n)
-    : size(static_cast<double>(n))
+  explicit Grid(std::size_t n) : size(static_cast<double>(n))
   {
     HMO::make_block(points, hexahedra, {{n, n, n}}, {{size, size, size}});
   }
@@ -70,7 +68,8 @@ const std::vector<Corruption>& interior_corruptions()
 {
   static const std::vector<Corruption> all = {
     {"scramble", [](Points& p, const Hexahedra& h, std::uint64_t s) { HMO::scramble_interior(p, h, s); }},
-    {"scramble_by_amplitude", [](Points& p, const Hexahedra& h, std::uint64_t s) { HMO::scramble_interior(p, h, s, .8); }},
+    {"scramble_by_amplitude",
+     [](Points& p, const Hexahedra& h, std::uint64_t s) { HMO::scramble_interior(p, h, s, .8); }},
     {"rotate", [](Points& p, const Hexahedra& h, std::uint64_t s) { HMO::rotate_hexahedra(p, h, s, .5); }},
     {"displace", [](Points& p, const Hexahedra& h, std::uint64_t s) { HMO::displace_vertex(p, h, s); }}};
   return all;
@@ -175,8 +174,8 @@ TEST(Rotate_hexahedra, keeps_the_shape_of_a_hexahedron_turned_alone)
   ASSERT_LE(moved.size(), 8u);
   for (std::size_t v : moved)
     for (std::size_t w : moved)
-      EXPECT_NEAR(CGAL::squared_distance(points[v], points[w]),
-                  CGAL::squared_distance(grid.points[v], grid.points[w]), 1e-12);
+      EXPECT_NEAR(CGAL::squared_distance(points[v], points[w]), CGAL::squared_distance(grid.points[v], grid.points[w]),
+                  1e-12);
 }
 
 TEST(Jitter_boundary, slides_within_planes_and_keeps_edges_corners_and_the_interior)
@@ -194,7 +193,8 @@ TEST(Jitter_boundary, slides_within_planes_and_keeps_edges_corners_and_the_inter
       }
     if (planes != 1) {
       EXPECT_EQ(points[v], grid.points[v]);
-    } else if (points[v] != grid.points[v])
+    }
+    else if (points[v] != grid.points[v])
       ++moved;
   }
   EXPECT_EQ(moved, 6u * 5u * 5u);

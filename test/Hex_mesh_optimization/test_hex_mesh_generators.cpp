@@ -44,60 +44,46 @@ const std::vector<Family>& families()
 {
   static const std::vector<Family> all = {
     {"block",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_block(p, h, {{n, 2 * n, 3 * n}}, {{1, 3, 2}}); },
-     [](std::size_t n) { return 6 * n * n * n; },
-     [](std::size_t n) { return (n + 1) * (2 * n + 1) * (3 * n + 1); },
-     6, true, 2},
+     [](Points& p, Hexahedra& h, std::size_t n) {
+       HMO::make_block(p, h, {{n, 2 * n, 3 * n}}, {{1, 3, 2}});
+     },
+     [](std::size_t n) { return 6 * n * n * n; }, [](std::size_t n) { return (n + 1) * (2 * n + 1) * (3 * n + 1); }, 6,
+     true, 2},
     {"graded_block",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_block(p, h, {{n, n, 4 * n}}, {{1, 1, 2}}, {{1, .5, 100}}); },
-     [](std::size_t n) { return 4 * n * n * n; },
-     [](std::size_t n) { return (n + 1) * (n + 1) * (4 * n + 1); },
-     2, true, 2},
-    {"straight_bar",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 4 * n, n, 4, 1, 0); },
-     [](std::size_t n) { return 4 * n * n * n; },
-     [](std::size_t n) { return (4 * n + 1) * (n + 1) * (n + 1); },
-     4, true, 2},
-    {"bent_bar",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 4 * n, n, 4, 1, -2 * pi / 3); },
-     [](std::size_t n) { return 4 * n * n * n; },
-     [](std::size_t n) { return (4 * n + 1) * (n + 1) * (n + 1); },
-     4, false, 2},
+     [](Points& p, Hexahedra& h, std::size_t n) {
+       HMO::make_block(p, h, {{n, n, 4 * n}}, {{1, 1, 2}}, {{1, .5, 100}});
+     },
+     [](std::size_t n) { return 4 * n * n * n; }, [](std::size_t n) { return (n + 1) * (n + 1) * (4 * n + 1); }, 2,
+     true, 2},
+    {"straight_bar", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 4 * n, n, 4, 1, 0); },
+     [](std::size_t n) { return 4 * n * n * n; }, [](std::size_t n) { return (4 * n + 1) * (n + 1) * (n + 1); }, 4,
+     true, 2},
+    {"bent_bar", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 4 * n, n, 4, 1, -2 * pi / 3); },
+     [](std::size_t n) { return 4 * n * n * n; }, [](std::size_t n) { return (4 * n + 1) * (n + 1) * (n + 1); }, 4,
+     false, 2},
     {"twisted_bar",
      [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 8 * n, n, 6, 1, pi / 2, pi); },
-     [](std::size_t n) { return 8 * n * n * n; },
-     [](std::size_t n) { return (8 * n + 1) * (n + 1) * (n + 1); },
-     6, false, 2},
-    {"cylinder",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_cylinder(p, h, 2 * n, n); },
+     [](std::size_t n) { return 8 * n * n * n; }, [](std::size_t n) { return (8 * n + 1) * (n + 1) * (n + 1); }, 6,
+     false, 2},
+    {"cylinder", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_cylinder(p, h, 2 * n, n); },
      [](std::size_t n) { return n * (4 * n * n + 8 * n * n); },
-     [](std::size_t n) { return (n + 1) * ((2 * n + 1) * (2 * n + 1) + 8 * n * n); },
-     2 * pi, false, 2},
-    {"ball",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ball(p, h, 2 * n, 2); },
+     [](std::size_t n) { return (n + 1) * ((2 * n + 1) * (2 * n + 1) + 8 * n * n); }, 2 * pi, false, 2},
+    {"ball", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ball(p, h, 2 * n, 2); },
      [](std::size_t n) { return 8 * n * n * n + 24 * n * n * n; },
-     [](std::size_t n) { return (2 * n + 1) * (2 * n + 1) * (2 * n + 1) + n * (24 * n * n + 2); },
-     4. / 3 * pi * 8, false, 2},
-    {"plate_with_hole",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_plate_with_hole(p, h, 2 * n, n); },
-     [](std::size_t n) { return n * 2 * n * 8 * n; },
-     [](std::size_t n) { return (n + 1) * (2 * n + 1) * 8 * n; },
+     [](std::size_t n) { return (2 * n + 1) * (2 * n + 1) * (2 * n + 1) + n * (24 * n * n + 2); }, 4. / 3 * pi * 8,
+     false, 2},
+    {"plate_with_hole", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_plate_with_hole(p, h, 2 * n, n); },
+     [](std::size_t n) { return n * 2 * n * 8 * n; }, [](std::size_t n) { return (n + 1) * (2 * n + 1) * 8 * n; },
      16 - pi, false, 0},
-    {"l_shape",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_l_shape(p, h, n, 2); },
+    {"l_shape", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_l_shape(p, h, n, 2); },
      [](std::size_t n) { return 3 * n * n * n; },
-     [](std::size_t n) { return (n + 1) * ((2 * n + 1) * (n + 1) + n * (n + 1)); },
-     24, true, 2},
-    {"t_shape",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_t_shape(p, h, n); },
+     [](std::size_t n) { return (n + 1) * ((2 * n + 1) * (n + 1) + n * (n + 1)); }, 24, true, 2},
+    {"t_shape", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_t_shape(p, h, n); },
      [](std::size_t n) { return 4 * n * n * n; },
-     [](std::size_t n) { return (n + 1) * ((3 * n + 1) * (n + 1) + n * (n + 1)); },
-     4, true, 2},
-    {"ring",
-     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ring(p, h, 12 * n, n); },
-     [](std::size_t n) { return 12 * n * n * n; },
-     [](std::size_t n) { return 12 * n * (n + 1) * (n + 1); },
-     3 * pi, false, 0}};
+     [](std::size_t n) { return (n + 1) * ((3 * n + 1) * (n + 1) + n * (n + 1)); }, 4, true, 2},
+    {"ring", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ring(p, h, 12 * n, n); },
+     [](std::size_t n) { return 12 * n * n * n; }, [](std::size_t n) { return 12 * n * (n + 1) * (n + 1); }, 3 * pi,
+     false, 0}};
   return all;
 }
 
@@ -105,8 +91,7 @@ double corner_determinant(const Points& points, const std::array<std::size_t, 8>
 {
   const int* neighbors = HMO::internal::corner_neighbors[corner];
   const Point& p = points[hexahedron[corner]];
-  return CGAL::determinant(points[hexahedron[neighbors[0]]] - p,
-                           points[hexahedron[neighbors[1]]] - p,
+  return CGAL::determinant(points[hexahedron[neighbors[0]]] - p, points[hexahedron[neighbors[1]]] - p,
                            points[hexahedron[neighbors[2]]] - p);
 }
 
@@ -136,8 +121,7 @@ std::vector<std::array<std::size_t, 4>> boundary_of(const Hexahedra& hexahedra)
 double enclosed_volume(const Points& points, const std::vector<std::array<std::size_t, 4>>& boundary)
 {
   double sum = 0;
-  const auto cone = [&](std::size_t a, std::size_t b, std::size_t c)
-  {
+  const auto cone = [&](std::size_t a, std::size_t b, std::size_t c) {
     return CGAL::determinant(points[a] - CGAL::ORIGIN, points[b] - CGAL::ORIGIN, points[c] - CGAL::ORIGIN);
   };
   for (const auto& q : boundary)
@@ -229,8 +213,8 @@ TEST_P(Generators, have_a_closed_manifold_boundary)
       } while (neighbor != first && steps <= vertex.second.size());
       EXPECT_EQ(steps, vertex.second.size()) << "at vertex " << vertex.first;
     }
-    const int euler = static_cast<int>(next_around.size()) - static_cast<int>(halfedges.size() / 2)
-                    + static_cast<int>(boundary.size());
+    const int euler = static_cast<int>(next_around.size()) - static_cast<int>(halfedges.size() / 2) +
+                      static_cast<int>(boundary.size());
     EXPECT_EQ(euler, family().boundary_euler_characteristic);
   }
 }
@@ -247,7 +231,8 @@ TEST_P(Generators, converge_to_the_volume_of_the_solid)
   if (family().is_exact) {
     for (double error : errors)
       EXPECT_LT(error, 1e-12);
-  } else {
+  }
+  else {
     // Second order: a quarter of the error at half the cell size
     EXPECT_LT(errors[1], errors[0] / 3);
     EXPECT_LT(errors[2], errors[1] / 3);

@@ -63,7 +63,8 @@ bool is_same(const Point& a, const Point& b)
 }
 
 template <class Optimize>
-void expect_refused(Points& points, Element element, std::size_t index, const std::string& words, const Optimize& optimize)
+void expect_refused(Points& points, Element element, std::size_t index, const std::string& words,
+                    const Optimize& optimize)
 {
   const Points before = points;
   try {
@@ -116,9 +117,11 @@ TEST(Input_errors, of_an_index_out_of_range)
     std::copy(c.begin(), c.end(), cells.back().begin());
   }
   cells[2][0] = std::size_t(1) << 32; // would be 0 if it were cut off
-  expect_refused(mesh.points, Element::HEXAHEDRON, 2, "hexahedron 2", [&] { CGAL::optimize_hex_mesh(mesh.points, cells); });
+  expect_refused(mesh.points, Element::HEXAHEDRON, 2, "hexahedron 2",
+                 [&] { CGAL::optimize_hex_mesh(mesh.points, cells); });
   cells[2][0] = std::numeric_limits<std::size_t>::max();
-  expect_refused(mesh.points, Element::HEXAHEDRON, 2, "hexahedron 2", [&] { CGAL::optimize_hex_mesh(mesh.points, cells); });
+  expect_refused(mesh.points, Element::HEXAHEDRON, 2, "hexahedron 2",
+                 [&] { CGAL::optimize_hex_mesh(mesh.points, cells); });
 }
 
 TEST(Input_errors, of_a_vertex_at_two_corners)
@@ -199,15 +202,19 @@ Surface_mesh cube(double size)
   Surface_mesh surface;
   Indexed_mesh mesh;
   HMO::make_block(mesh.points, mesh.hexahedra, {{1, 1, 1}}, {{size, size, size}});
-  for_boundary(mesh, [&](const Point& p) { return surface.add_vertex(p); },
-               [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) { surface.add_face(a, b, c); });
+  for_boundary(
+    mesh, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
+      surface.add_face(a, b, c);
+    });
   return surface;
 }
 
 void expect_refused(const Surface_mesh& reference, Element element, std::size_t index, const std::string& words)
 {
   Mesh mesh = block(3, 3, 3);
-  expect_refused(mesh.points, element, index, words, [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, reference); });
+  expect_refused(mesh.points, element, index, words,
+                 [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, reference); });
 }
 
 TEST(Input_errors, of_an_empty_reference)
@@ -221,8 +228,8 @@ TEST(Input_errors, of_an_empty_reference)
 TEST(Input_errors, of_a_reference_with_a_quad)
 {
   Surface_mesh surface = cube(3);
-  const auto a = surface.add_vertex(Point(9, 0, 0)), b = surface.add_vertex(Point(10, 0, 0)), c = surface.add_vertex(Point(10, 1, 0)),
-             d = surface.add_vertex(Point(9, 1, 0));
+  const auto a = surface.add_vertex(Point(9, 0, 0)), b = surface.add_vertex(Point(10, 0, 0)),
+             c = surface.add_vertex(Point(10, 1, 0)), d = surface.add_vertex(Point(9, 1, 0));
   surface.add_face(a, b, c, d);
   expect_refused(surface, Element::REFERENCE_FACE, 12, "not triangulated");
 }
@@ -248,7 +255,8 @@ TEST(Input_errors, of_a_reference_without_area)
 TEST(Input_errors, are_not_raised_for_single_degenerate_reference_faces)
 {
   Surface_mesh surface = cube(3);
-  const auto a = surface.add_vertex(Point(3, 3, 3)), b = surface.add_vertex(Point(3, 3, 3)), c = surface.add_vertex(Point(3, 3, 3));
+  const auto a = surface.add_vertex(Point(3, 3, 3)), b = surface.add_vertex(Point(3, 3, 3)),
+             c = surface.add_vertex(Point(3, 3, 3));
   surface.add_face(a, b, c);
   Mesh mesh = block(3, 3, 3);
   const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface);
@@ -262,7 +270,8 @@ void expect_bad_parameter(const std::string& name, const NamedParameters& np)
 {
   SCOPED_TRACE(name);
   Mesh mesh = block(3, 3, 3);
-  expect_refused(mesh.points, Element::PARAMETER, 0, name, [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, np); });
+  expect_refused(mesh.points, Element::PARAMETER, 0, name,
+                 [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, np); });
 }
 
 TEST(Input_errors, of_parameters_without_a_usable_value)
@@ -301,8 +310,9 @@ TEST(Input_errors, of_target_lengths_that_are_not_positive)
 {
   for (double bad : {0., -1., nan, infinity}) {
     Mesh mesh = block(3, 3, 3);
-    expect_refused(mesh.points, Element::PARAMETER, 0, "from vertex 0 to vertex 1",
-                   [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, params::target_edge_length_map(Length{bad})); });
+    expect_refused(mesh.points, Element::PARAMETER, 0, "from vertex 0 to vertex 1", [&] {
+      CGAL::optimize_hex_mesh(mesh.points, mesh.cells, params::target_edge_length_map(Length{bad}));
+    });
   }
 }
 
@@ -555,7 +565,8 @@ Surface_mesh surface_of_soup(const Points& points, const std::vector<std::array<
 {
   Surface_mesh surface;
   for (const auto& t : triangles) // every face apart
-    surface.add_face(surface.add_vertex(points[t[0]]), surface.add_vertex(points[t[1]]), surface.add_vertex(points[t[2]]));
+    surface.add_face(surface.add_vertex(points[t[0]]), surface.add_vertex(points[t[1]]),
+                     surface.add_vertex(points[t[2]]));
   return surface;
 }
 
@@ -631,7 +642,8 @@ std::string refusal(const Surface_mesh& surface)
   Mesh mesh = block(3, 3, 3);
   const Mesh before = mesh;
   try {
-    const auto np = params::optimization_method(HMO::Method::RECTIFICATION).number_of_iterations(5).number_of_restarts(0);
+    const auto np =
+      params::optimization_method(HMO::Method::RECTIFICATION).number_of_iterations(5).number_of_restarts(0);
     expect_honest(before, mesh, CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface, np));
     return "";
   }
@@ -656,9 +668,9 @@ Surface_mesh moved_cube(double scale, double shift)
 // Both boxes are named
 TEST(Unusual_reference, of_another_unit_of_length_is_refused)
 {
-  EXPECT_EQ(refusal(moved_cube(1000, 0)),
-            "the reference surface is 1000 times as large as the mesh: it spans (0 0 0) to (3000 3000 3000), the mesh (0 0 0) to (3 3 3): "
-            "are both in the same unit of length?");
+  EXPECT_EQ(refusal(moved_cube(1000, 0)), "the reference surface is 1000 times as large as the mesh: it spans (0 0 0) "
+                                          "to (3000 3000 3000), the mesh (0 0 0) to (3 3 3): "
+                                          "are both in the same unit of length?");
   for (double scale : {1e-3, .3, 3.1, 1e3, 1e100}) {
     const std::string message = refusal(moved_cube(scale, 0));
     EXPECT_NE(message.find("times as large as the mesh"), std::string::npos) << scale << ": " << message;
@@ -671,7 +683,8 @@ TEST(Unusual_reference, of_another_unit_of_length_is_refused)
 
 TEST(Unusual_reference, that_is_far_away_is_refused)
 {
-  for (double distance : {8., 1e3, 1e9, 1e150, -8.}) { // the cube's side is 3, and a quarter of its diagonal on both sides is tolerated
+  for (double distance :
+       {8., 1e3, 1e9, 1e150, -8.}) { // the cube's side is 3, and a quarter of its diagonal on both sides is tolerated
     const std::string message = refusal(moved_cube(1, distance));
     EXPECT_NE(message.find("far away from the mesh"), std::string::npos) << distance << ": " << message;
     EXPECT_NE(message.find("the mesh (0 0 0) to (3 3 3)"), std::string::npos) << distance << ": " << message;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An optimization that is ended, by the visitor or the time limit, ends at once, wherever it is, and gives the best state
-// that it has shown. What is at once is counted in calls of the visitor, not measured.
+// An optimization that is ended, by the visitor or the time limit, ends at once, wherever it is, and gives the best
+// state that it has shown. What is at once is counted in calls of the visitor, not measured.
 
 #include <CGAL/optimize_hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
@@ -78,13 +78,17 @@ void expect_best(const Indexed_mesh& input, const Indexed_mesh& mesh, const Reco
 Status optimize_until(std::size_t calls, Method method, Indexed_mesh& mesh, Recorder& recorder)
 {
   recorder.goes_on = [&recorder, calls](const Iteration&) { return recorder.seen.size() < calls; };
-  return CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::optimization_method(method).visitor(std::ref(recorder)));
+  return CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                 params::optimization_method(method).visitor(std::ref(recorder)));
 }
 
-class Interruption : public ::testing::TestWithParam<Mesh_family> {};
+class Interruption : public ::testing::TestWithParam<Mesh_family>
+{};
 
 INSTANTIATE_TEST_SUITE_P(Families, Interruption,
-                         ::testing::Values(mesh_families()[0], mesh_families()[3], mesh_families()[4], mesh_families()[7]), Family_name());
+                         ::testing::Values(mesh_families()[0], mesh_families()[3], mesh_families()[4],
+                                           mesh_families()[7]),
+                         Family_name());
 
 TEST_P(Interruption, by_the_visitor_at_any_call)
 {
@@ -118,14 +122,15 @@ TEST_P(Interruption, by_the_time_limit_after_any_call)
       const auto start = std::chrono::steady_clock::now();
       Recorder recorder;
       recorder.goes_on = [&](const Iteration&) {
-        while (recorder.seen.size() >= calls && std::chrono::steady_clock::now() - start < std::chrono::duration<double>(2 * limit)) {
+        while (recorder.seen.size() >= calls &&
+               std::chrono::steady_clock::now() - start < std::chrono::duration<double>(2 * limit)) {
         }
         return true;
       };
       Indexed_mesh mesh = input;
-      const Status status =
-        CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
-                                params::optimization_method(method).maximum_running_time(limit).visitor(std::ref(recorder)));
+      const Status status = CGAL::optimize_hex_mesh(
+        mesh.points, mesh.hexahedra,
+        params::optimization_method(method).maximum_running_time(limit).visitor(std::ref(recorder)));
       EXPECT_EQ(status.return_code, Return_code::TIME_LIMIT);
       EXPECT_LE(recorder.seen.size(), calls); // fewer on a machine that is slower
       expect_best(input, mesh, recorder, status);

@@ -41,8 +41,8 @@ protected:
   Io()
   {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path()
-              / ("hex_mesh_io_" + std::string(info->name()) + "_" + std::to_string(std::random_device()()));
+    folder_ = std::filesystem::temp_directory_path() /
+              ("hex_mesh_io_" + std::string(info->name()) + "_" + std::to_string(std::random_device()()));
     std::filesystem::create_directory(folder_);
   }
 
@@ -69,13 +69,11 @@ protected:
     const std::string filename = write(name, text);
     std::vector<Simple::Point_3> points(1, Simple::Point_3(7, 8, 9));
     std::vector<Hexahedron> hexahedra(2);
-    try
-    {
+    try {
       CGAL::IO::read_hex_mesh(filename, points, hexahedra);
       ADD_FAILURE() << "nothing was thrown for " << reason;
     }
-    catch(const CGAL::IO::Hex_mesh_file_error& error)
-    {
+    catch (const CGAL::IO::Hex_mesh_file_error& error) {
       EXPECT_EQ(error.file(), filename);
       EXPECT_EQ(error.line(), line) << error.what();
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
@@ -95,9 +93,9 @@ void make_mesh(std::vector<Point>& points, std::vector<Hexahedron>& hexahedra)
 {
   std::mt19937_64 random(1);
   points.emplace_back(5., -0., 1. / 3.); // unreferenced
-  for(int k = 0; k < 3; ++k)
-    for(int j = 0; j < 2; ++j)
-      for(int i = 0; i < 2; ++i)
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i)
         points.emplace_back(i + 1e-9 * double(random()) / 1e19, j * 0.1 + 1e-17, k / 7.);
   points.emplace_back(std::numeric_limits<double>::denorm_min(), (std::numeric_limits<double>::max)(), 1e-300);
   points.emplace_back(-1.7976931348623157e308, 123456789.123456789, 2.2250738585072014e-308);
@@ -110,32 +108,31 @@ std::string medit_vertices()
 {
   std::string text = "Vertices\n8\n";
   std::istringstream in(cube_points);
-  for(std::string line; std::getline(in, line); )
+  for (std::string line; std::getline(in, line);)
     text += line + " 0\n";
   return text;
 }
 
-const std::string medit_header = "MeshVersionFormatted 2\nDimension 3\n";               // lines 1 and 2
-const std::string medit_hexahedra = "Hexahedra\n1\n1 2 3 4 5 6 7 8 0\n";               // 3 lines
+const std::string medit_header = "MeshVersionFormatted 2\nDimension 3\n";                               // lines 1 and 2
+const std::string medit_hexahedra = "Hexahedra\n1\n1 2 3 4 5 6 7 8 0\n";                                // 3 lines
 const std::string vtk_header = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\n"; // lines 1 to 4
-const std::string vtk_points = "POINTS 8 double\n" + cube_points;                       // lines 5 to 13
-const std::string vtk_cells = "CELLS 1 9\n8 0 1 2 3 4 5 6 7\n";                         // lines 14 and 15
+const std::string vtk_points = "POINTS 8 double\n" + cube_points;                                       // lines 5 to 13
+const std::string vtk_cells = "CELLS 1 9\n8 0 1 2 3 4 5 6 7\n"; // lines 14 and 15
 
 TEST_F(Io, all_formats_give_back_every_bit)
 {
   std::vector<Simple::Point_3> points, points_back;
   std::vector<Hexahedron> hexahedra, hexahedra_back;
   make_mesh(points, hexahedra);
-  for(const char* name : {"a.mesh", "a.vtk", "a.vtu", "a.MESH", "b.Vtk", "c.VTU"})
-    for(const bool binary : {false, true})
-    {
+  for (const char* name : {"a.mesh", "a.vtk", "a.vtu", "a.MESH", "b.Vtk", "c.VTU"})
+    for (const bool binary : {false, true}) {
       CGAL::IO::write_hex_mesh(path(name), points, hexahedra, CGAL::parameters::use_binary_mode(binary));
       CGAL::IO::read_hex_mesh(path(name), points_back, hexahedra_back);
       EXPECT_TRUE(same_points(points, points_back)) << name << binary;
       EXPECT_EQ(hexahedra, hexahedra_back) << name << binary;
     }
   std::size_t files = 0;
-  for(const auto& entry : std::filesystem::directory_iterator(folder_))
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
     files += entry.is_regular_file();
   EXPECT_EQ(files, 6u) << "temporary files are left";
 }
@@ -145,17 +142,15 @@ TEST_F(Io, larger_meshes_and_other_containers)
   std::vector<Epick::Point_3> points, points_back;
   std::vector<std::vector<int>> hexahedra, hexahedra_back;
   std::mt19937_64 random(2);
-  for(int i = 0; i < 20000; ++i)
+  for (int i = 0; i < 20000; ++i)
     points.emplace_back(double(random()), 1. / double(random()), -double(random() % 1000));
-  for(int i = 0; i < 20001; ++i)
-  {
+  for (int i = 0; i < 20001; ++i) {
     hexahedra.emplace_back();
-    for(int c = 0; c < 8; ++c)
+    for (int c = 0; c < 8; ++c)
       hexahedra.back().push_back(int(random() % points.size()));
   }
-  for(const char* name : {"a.mesh", "a.vtk", "a.vtu"})
-    for(const bool binary : {false, true})
-    {
+  for (const char* name : {"a.mesh", "a.vtk", "a.vtu"})
+    for (const bool binary : {false, true}) {
       CGAL::IO::write_hex_mesh(path(name), points, hexahedra, CGAL::parameters::use_binary_mode(binary));
       CGAL::IO::read_hex_mesh(path(name), points_back, hexahedra_back);
       EXPECT_TRUE(same_points(points, points_back)) << name << binary;
@@ -167,9 +162,8 @@ TEST_F(Io, empty_meshes)
 {
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
-  for(const char* name : {"a.mesh", "a.vtk", "a.vtu"})
-    for(const bool binary : {false, true})
-    {
+  for (const char* name : {"a.mesh", "a.vtk", "a.vtu"})
+    for (const bool binary : {false, true}) {
       CGAL::IO::write_hex_mesh(path(name), points, hexahedra, CGAL::parameters::use_binary_mode(binary));
       EXPECT_NO_THROW(CGAL::IO::read_hex_mesh(path(name), points, hexahedra)) << name << binary;
       EXPECT_TRUE(points.empty());
@@ -196,11 +190,10 @@ void check_linear_cell_complex(const std::string& filename)
 
 TEST_F(Io, linear_cell_complexes)
 {
-  for(const char* name : {"a.mesh", "a.vtk", "a.vtu"})
-  {
+  for (const char* name : {"a.mesh", "a.vtk", "a.vtu"}) {
     check_linear_cell_complex<CGAL::Linear_cell_complex_for_combinatorial_map<3, 3>>(path(name));
-    check_linear_cell_complex<CGAL::Linear_cell_complex_for_generalized_map<
-      3, 3, CGAL::Linear_cell_complex_traits<3, Simple>>>(path(name));
+    check_linear_cell_complex<
+      CGAL::Linear_cell_complex_for_generalized_map<3, 3, CGAL::Linear_cell_complex_traits<3, Simple>>>(path(name));
   }
 }
 
@@ -220,13 +213,13 @@ TEST_F(Io, linear_cell_complex_keeps_attachments_and_stays_upon_an_error)
 
 TEST_F(Io, medit_sections_are_carried_through)
 {
-  const std::string other =
-    "Triangles 1\n1 2 3 7\n"
-    "# a comment\nQuadrilaterals\n1\n1 2 3 4 -5\n"
-    "Edges\n1\n1 2 3\nCorners\n2\n1\n8\nRequiredVertices\n1\n2\nRidges\n1\n1\n"
-    "Normals\n2\n0 0 1\nnan inf -1e-3\nNormalAtVertices 1\n1 1\nMyOwnSection 0\n";
-  const std::string first = medit_header + "Triangles 1\n1 2 3 7\n# a comment\n" + "Hexahedra\n1\n1 2 3 4 5 6 7 8 -4\n"
-    + other.substr(other.find("Quadri")) + medit_vertices() + "End\nand whatever";
+  const std::string other = "Triangles 1\n1 2 3 7\n"
+                            "# a comment\nQuadrilaterals\n1\n1 2 3 4 -5\n"
+                            "Edges\n1\n1 2 3\nCorners\n2\n1\n8\nRequiredVertices\n1\n2\nRidges\n1\n1\n"
+                            "Normals\n2\n0 0 1\nnan inf -1e-3\nNormalAtVertices 1\n1 1\nMyOwnSection 0\n";
+  const std::string first = medit_header + "Triangles 1\n1 2 3 7\n# a comment\n" +
+                            "Hexahedra\n1\n1 2 3 4 5 6 7 8 -4\n" + other.substr(other.find("Quadri")) +
+                            medit_vertices() + "End\nand whatever";
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
   CGAL::IO::Hex_mesh_attachments attachments, again;
@@ -246,8 +239,7 @@ TEST_F(Io, medit_sections_are_carried_through)
   EXPECT_TRUE(again.other_sections.empty() && again.vertex_labels.empty() && again.hexahedron_labels.empty());
 
   attachments.vertex_labels.pop_back();
-  EXPECT_THROW(CGAL::IO::write_hex_mesh(path("c.mesh"), points, hexahedra, attachments),
-               CGAL::IO::Hex_mesh_file_error);
+  EXPECT_THROW(CGAL::IO::write_hex_mesh(path("c.mesh"), points, hexahedra, attachments), CGAL::IO::Hex_mesh_file_error);
   EXPECT_FALSE(std::filesystem::exists(path("c.mesh")));
 }
 
@@ -255,8 +247,7 @@ TEST_F(Io, medit_in_other_layouts)
 {
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
-  const auto read = [&](const std::string& text)
-  {
+  const auto read = [&](const std::string& text) {
     points.clear();
     hexahedra.clear();
     CGAL::IO::read_hex_mesh(write("a.mesh", text), points, hexahedra);
@@ -267,9 +258,10 @@ TEST_F(Io, medit_in_other_layouts)
   EXPECT_TRUE(read(medit_header + medit_vertices() + medit_hexahedra)) << "without End";
   EXPECT_TRUE(read(medit_header + medit_vertices() + "Hexahedra 1 1 2 3 4 5 6 7 8 0")) << "without a line end";
   EXPECT_TRUE(read("MeshVersionFormatted 1\n\nDimension\n3\n" + medit_hexahedra + medit_vertices()));
-  EXPECT_TRUE(read("# by hand\nMeshVersionFormatted 1 # one\nDimension 3#three\n" + medit_hexahedra + medit_vertices()));
+  EXPECT_TRUE(
+    read("# by hand\nMeshVersionFormatted 1 # one\nDimension 3#three\n" + medit_hexahedra + medit_vertices()));
   std::string windows;
-  for(const char c : text)
+  for (const char c : text)
     windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_TRUE(read(windows));
 }
@@ -300,8 +292,7 @@ TEST_F(Io, medit_errors)
   refused("a.mesh", start + "Hexahedra\n-1\n", 14, "negative");
   refused("a.mesh", medit_header + "Vertices\n4000000000\n0 0 0 0\n", 4, "more than the rest");
   refused("a.mesh", start + "Tetrahedra\n1\n1 2 3 4 0\n" + medit_hexahedra, 13, "the mesh has Tetrahedra");
-  for(const std::string bad : {"nan", "-inf", "1e999", "NaN", "Infinity"})
-  {
+  for (const std::string bad : {"nan", "-inf", "1e999", "NaN", "Infinity"}) {
     std::string text = vertices;
     text.replace(text.find("1 1 1"), 1, bad);
     refused("a.mesh", medit_header + text + medit_hexahedra, 11, "not a finite number");
@@ -315,8 +306,7 @@ TEST_F(Io, missing_files_and_folders)
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
   make_mesh(points, hexahedra);
-  for(const char* name : {"a.mesh", "a.vtk", "a.vtu"})
-  {
+  for (const char* name : {"a.mesh", "a.vtk", "a.vtu"}) {
     EXPECT_THROW(CGAL::IO::read_hex_mesh(path(name), points, hexahedra), CGAL::IO::Hex_mesh_file_error);
     EXPECT_THROW(CGAL::IO::write_hex_mesh(path("missing/") + name, points, hexahedra), CGAL::IO::Hex_mesh_file_error);
     std::filesystem::create_directory(path(name));
@@ -331,25 +321,25 @@ TEST_F(Io, vtk_in_other_layouts)
 {
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
-  const auto read = [&](const std::string& text)
-  {
+  const auto read = [&](const std::string& text) {
     points.clear();
     hexahedra.clear();
     CGAL::IO::read_hex_mesh(write("a.vtk", text), points, hexahedra);
-    return points.size() == 8 && hexahedra.size() == 1 && points[6] == Simple::Point_3(1, 1, 1)
-           && hexahedra[0] == Hexahedron{0, 1, 2, 3, 4, 5, 6, 7};
+    return points.size() == 8 && hexahedra.size() == 1 && points[6] == Simple::Point_3(1, 1, 1) &&
+           hexahedra[0] == Hexahedron{0, 1, 2, 3, 4, 5, 6, 7};
   };
   EXPECT_TRUE(read(vtk_header + vtk_points + vtk_cells + "CELL_TYPES 1\n12\n"));
   EXPECT_TRUE(read(vtk_header + vtk_points + "CELLS 1 9\n8 0 1 3 2 4 5 7 6\nCELL_TYPES 1\n11\n")) << "voxel";
-  EXPECT_TRUE(read(vtk_header + "CELL_TYPES 3\n9 12 3\nCELLS 3 17\n4 0 1 2 3 8 0 1 2 3 4 5 6 7 2 0 1\n" + vtk_points
-                   + "CELL_DATA 3\nSCALARS a double\nLOOKUP_TABLE default\nnan 2 3\n"));
-  EXPECT_TRUE(read(vtk_header + "FIELD FieldData 2\nTIME 1 1 double\n0.5\nNAME 1 1 string\nCELLS and more\n" + vtk_points
-                   + "METADATA\nINFORMATION 0\n\n" + vtk_cells + "CELL_TYPES 1\n12"));
-  EXPECT_TRUE(read("# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n" + cube_points
-                   + "METADATA\nINFORMATION 0\n\nCELLS 2 8\nOFFSETS vtktypeint64\n0 8\nCONNECTIVITY vtktypeint64\n"
-                     "0 1 2 3 4\n5 6 7\nCELL_TYPES 1\n12\n"));
+  EXPECT_TRUE(read(vtk_header + "CELL_TYPES 3\n9 12 3\nCELLS 3 17\n4 0 1 2 3 8 0 1 2 3 4 5 6 7 2 0 1\n" + vtk_points +
+                   "CELL_DATA 3\nSCALARS a double\nLOOKUP_TABLE default\nnan 2 3\n"));
+  EXPECT_TRUE(read(vtk_header + "FIELD FieldData 2\nTIME 1 1 double\n0.5\nNAME 1 1 string\nCELLS and more\n" +
+                   vtk_points + "METADATA\nINFORMATION 0\n\n" + vtk_cells + "CELL_TYPES 1\n12"));
+  EXPECT_TRUE(read("# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n" +
+                   cube_points +
+                   "METADATA\nINFORMATION 0\n\nCELLS 2 8\nOFFSETS vtktypeint64\n0 8\nCONNECTIVITY vtktypeint64\n"
+                   "0 1 2 3 4\n5 6 7\nCELL_TYPES 1\n12\n"));
   std::string windows;
-  for(const char c : vtk_header + vtk_points + vtk_cells + "CELL_TYPES 1\n12\n")
+  for (const char c : vtk_header + vtk_points + vtk_cells + "CELL_TYPES 1\n12\n")
     windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_TRUE(read(windows));
 }
@@ -359,7 +349,7 @@ template <class Number>
 std::string big_endian(std::initializer_list<Number> numbers)
 {
   std::string text;
-  for(const Number n : numbers)
+  for (const Number n : numbers)
     CGAL::Hex_mesh_optimization::internal::IO::append_binary(text, n, false);
   return text;
 }
@@ -367,12 +357,17 @@ std::string big_endian(std::initializer_list<Number> numbers)
 TEST_F(Io, vtk_binary)
 {
   const std::string header = "# vtk DataFile Version 5.1\ntitle\nBINARY\nDATASET UNSTRUCTURED_GRID\n";
-  const std::string field = "FIELD FieldData 2\nNAME 1 2 string\n" + std::string("\xc3" "abc" "\x80\x02" "de") + "\nT 1 1 float\n"
-                            + big_endian<float>({1}) + "\n";
-  const std::string points_text = "POINTS 8 float\n"
-    + big_endian<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}) + "\n";
-  const std::string cells = "CELLS 2 8\nOFFSETS vtktypeint64\n" + big_endian<std::int64_t>({0, 8})
-    + "\nCONNECTIVITY vtktypeint32\n" + big_endian<std::int32_t>({0, 1, 2, 3, 4, 5, 6, 7}) + "\n";
+  const std::string field = "FIELD FieldData 2\nNAME 1 2 string\n" +
+                            std::string("\xc3"
+                                        "abc"
+                                        "\x80\x02"
+                                        "de") +
+                            "\nT 1 1 float\n" + big_endian<float>({1}) + "\n";
+  const std::string points_text = "POINTS 8 float\n" + big_endian<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0,
+                                                                          0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}) +
+                                  "\n";
+  const std::string cells = "CELLS 2 8\nOFFSETS vtktypeint64\n" + big_endian<std::int64_t>({0, 8}) +
+                            "\nCONNECTIVITY vtktypeint32\n" + big_endian<std::int32_t>({0, 1, 2, 3, 4, 5, 6, 7}) + "\n";
   const std::string types = "CELL_TYPES 1\n" + big_endian<std::int32_t>({12}) + "\n";
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
@@ -417,31 +412,42 @@ TEST_F(Io, vtk_errors)
   refused("a.vtk", vtk_header + "POINTS 2 double\n0 0 0\n1 1        ", 7, "the data end here");
   refused("a.vtk", vtk_header + "POINTS 1 complex\n0 0 0\n", 5, "\"complex\"");
   refused("a.vtk", start + "POLYGONS 1 2\n", 14, "unknown keyword");
-  refused("a.vtk", "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\n" + vtk_points
-                   + "CELLS 2 8\nOFFSETS vtktypeint64\n0 9\nCONNECTIVITY vtktypeint64\n0 1 2 3 4 5 6 7\n" + types, 14,
-          "the offsets do not ascend");
+  refused("a.vtk",
+          "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\n" + vtk_points +
+            "CELLS 2 8\nOFFSETS vtktypeint64\n0 9\nCONNECTIVITY vtktypeint64\n0 1 2 3 4 5 6 7\n" + types,
+          14, "the offsets do not ascend");
 }
 
 std::string vtu(const std::string& attributes, const std::string& points, const std::string& connectivity,
                 const std::string& offsets, const std::string& types, const std::string& appended = "")
 {
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" " + attributes + ">\n"
-         "<!-- a comment --><UnstructuredGrid><FieldData><DataArray type=\"String\" Name=\"a\" format=\"ascii\">9</DataArray>"
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" " + attributes +
+         ">\n"
+         "<!-- a comment --><UnstructuredGrid><FieldData><DataArray type=\"String\" Name=\"a\" "
+         "format=\"ascii\">9</DataArray>"
          "</FieldData><Piece NumberOfPoints=\"8\" NumberOfCells=\"1\">\n"
          "<PointData><DataArray type=\"Float32\" Name=\"p\" format=\"ascii\">nan</DataArray></PointData>\n"
-         "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" " + connectivity + "</DataArray>\n"
-         "<DataArray type=\"Int32\" Name=\"offsets\" " + offsets + "</DataArray>\n"
-         "<DataArray type=\"UInt8\" Name=\"types\" " + types + "</DataArray></Cells>\n"
-         "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" " + points
-         + "<InformationKey name=\"L2\" location=\"x\">\n</InformationKey></DataArray></Points>\n"
-         "</Piece></UnstructuredGrid>" + appended + "</VTKFile>\n";
+         "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" " +
+         connectivity +
+         "</DataArray>\n"
+         "<DataArray type=\"Int32\" Name=\"offsets\" " +
+         offsets +
+         "</DataArray>\n"
+         "<DataArray type=\"UInt8\" Name=\"types\" " +
+         types +
+         "</DataArray></Cells>\n"
+         "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" " +
+         points +
+         "<InformationKey name=\"L2\" location=\"x\">\n</InformationKey></DataArray></Points>\n"
+         "</Piece></UnstructuredGrid>" +
+         appended + "</VTKFile>\n";
 }
 
 template <class Number>
 std::string bytes_of(std::initializer_list<Number> numbers, bool little_endian)
 {
   std::string text;
-  for(const Number n : numbers)
+  for (const Number n : numbers)
     CGAL::Hex_mesh_optimization::internal::IO::append_binary(text, n, little_endian);
   return text;
 }
@@ -457,35 +463,32 @@ TEST_F(Io, vtu_in_other_layouts)
 {
   std::vector<Simple::Point_3> points;
   std::vector<Hexahedron> hexahedra;
-  const auto read = [&](const std::string& text)
-  {
+  const auto read = [&](const std::string& text) {
     points.clear();
     hexahedra.clear();
     CGAL::IO::read_hex_mesh(write("a.vtu", text), points, hexahedra);
-    return points.size() == 8 && hexahedra.size() == 1 && points[6] == Simple::Point_3(1, 1, 1)
-           && points[1] == Simple::Point_3(1, 0, 0) && hexahedra[0] == Hexahedron{0, 1, 2, 3, 4, 5, 6, 7};
+    return points.size() == 8 && hexahedra.size() == 1 && points[6] == Simple::Point_3(1, 1, 1) &&
+           points[1] == Simple::Point_3(1, 0, 0) && hexahedra[0] == Hexahedron{0, 1, 2, 3, 4, 5, 6, 7};
   };
   const std::string ascii = "format=\"ascii\">";
   const std::string text = vtu("", ascii + cube_points, ascii + "0 1 2 3 4 5 6 7", ascii + "8", ascii + "12");
   EXPECT_TRUE(read(text));
   EXPECT_TRUE(read(vtu("", ascii + cube_points, ascii + "0 1 3 2 4 5 7 6", ascii + "8", ascii + "11"))) << "voxel";
 
-  for(const bool little : {true, false})
-    for(const bool wide : {true, false})
-    {
-      const std::string attributes = std::string("byte_order=\"") + (little ? "LittleEndian" : "BigEndian")
-                                     + "\" header_type=\"" + (wide ? "UInt64" : "UInt32") + "\"";
+  for (const bool little : {true, false})
+    for (const bool wide : {true, false}) {
+      const std::string attributes = std::string("byte_order=\"") + (little ? "LittleEndian" : "BigEndian") +
+                                     "\" header_type=\"" + (wide ? "UInt64" : "UInt32") + "\"";
       const std::string blocks[4] = {
         bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}, little),
-        bytes_of<std::int32_t>({0, 1, 2, 3, 4, 5, 6, 7}, little),
-        bytes_of<std::int32_t>({8}, little),
+        bytes_of<std::int32_t>({0, 1, 2, 3, 4, 5, 6, 7}, little), bytes_of<std::int32_t>({8}, little),
         bytes_of<std::uint8_t>({12}, little)};
-      const auto size = [&](std::size_t s)
-        { return wide ? bytes_of<std::uint64_t>({s}, little) : bytes_of<std::uint32_t>({std::uint32_t(s)}, little); };
+      const auto size = [&](std::size_t s) {
+        return wide ? bytes_of<std::uint64_t>({s}, little) : bytes_of<std::uint32_t>({std::uint32_t(s)}, little);
+      };
 
       std::string inlined[4], split[4], raw[4], encoded[4], raw_data, encoded_data;
-      for(int b = 0; b < 4; ++b)
-      {
+      for (int b = 0; b < 4; ++b) {
         const std::string header = size(blocks[b].size());
         inlined[b] = "format=\"binary\">\n  " + base64(header + blocks[b]) + "\n";
         split[b] = "format=\"binary\">\n" + base64(header) + base64(blocks[b]) + "\n";
@@ -500,21 +503,20 @@ TEST_F(Io, vtu_in_other_layouts)
                            "<AppendedData encoding=\"raw\">\n  _" + raw_data + "\n</AppendedData>")));
       EXPECT_TRUE(read(vtu(attributes, encoded[0], encoded[1], encoded[2], encoded[3],
                            "<AppendedData encoding=\"base64\">\n_" + encoded_data + "\n</AppendedData>")));
-      refused("a.vtu", vtu(attributes, raw[0], raw[1], raw[2], raw[3],
-                           "<AppendedData encoding=\"raw\">\n  _" + raw_data.substr(0, 40) + "\n</AppendedData>"),
+      refused("a.vtu",
+              vtu(attributes, raw[0], raw[1], raw[2], raw[3],
+                  "<AppendedData encoding=\"raw\">\n  _" + raw_data.substr(0, 40) + "\n</AppendedData>"),
               0, "incomplete");
       refused("a.vtu", vtu(attributes, inlined[0].substr(0, 60), inlined[1], inlined[2], inlined[3]), 0, "incomplete");
       refused("a.vtu", vtu(attributes, inlined[1], inlined[1], inlined[2], inlined[3]), 0, "32 bytes, not 96");
     }
 
 #ifdef CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB
-  const auto compressed = [&](const std::string& block, std::size_t block_size)
-  {
+  const auto compressed = [&](const std::string& block, std::size_t block_size) {
     std::vector<std::uint32_t> header = {std::uint32_t((block.size() + block_size - 1) / block_size),
                                          std::uint32_t(block_size), std::uint32_t(block.size() % block_size)};
     std::string data, head;
-    for(std::size_t begin = 0; begin < block.size(); begin += block_size)
-    {
+    for (std::size_t begin = 0; begin < block.size(); begin += block_size) {
       const std::string part = block.substr(begin, block_size);
       std::string packed(compressBound(part.size()), ' ');
       uLongf length = packed.size();
@@ -522,17 +524,19 @@ TEST_F(Io, vtu_in_other_layouts)
       data += packed.substr(0, length);
       header.push_back(std::uint32_t(length));
     }
-    for(const std::uint32_t h : header)
+    for (const std::uint32_t h : header)
       CGAL::Hex_mesh_optimization::internal::IO::append_binary(head, h, true);
     return "format=\"binary\">" + base64(head) + base64(data);
   };
   const std::string with_zlib = "compressor=\"vtkZLibDataCompressor\"";
-  for(const std::size_t block_size : {1000, 96, 32, 7})
-    EXPECT_TRUE(read(vtu(with_zlib,
-      compressed(bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}, true), block_size),
-      compressed(bytes_of<std::int32_t>({0, 1, 2, 3, 4, 5, 6, 7}, true), block_size),
-      compressed(bytes_of<std::int32_t>({8}, true), block_size),
-      compressed(bytes_of<std::uint8_t>({12}, true), block_size))));
+  for (const std::size_t block_size : {1000, 96, 32, 7})
+    EXPECT_TRUE(read(
+      vtu(with_zlib,
+          compressed(bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}, true),
+                     block_size),
+          compressed(bytes_of<std::int32_t>({0, 1, 2, 3, 4, 5, 6, 7}, true), block_size),
+          compressed(bytes_of<std::int32_t>({8}, true), block_size),
+          compressed(bytes_of<std::uint8_t>({12}, true), block_size))));
 #else
   refused("a.vtu", vtu("compressor=\"vtkZLibDataCompressor\"", ascii, ascii, ascii, ascii), 0, "without zlib");
 #endif
@@ -570,30 +574,27 @@ TEST_F(Io, damaged_files_do_no_harm)
   std::vector<Hexahedron> hexahedra;
   make_mesh(points, hexahedra);
   std::mt19937 random(3);
-  for(const char* name : {"a.mesh", "a.vtk", "a.vtu"})
-    for(const bool binary : {false, true})
-    {
+  for (const char* name : {"a.mesh", "a.vtk", "a.vtu"})
+    for (const bool binary : {false, true}) {
       CGAL::IO::write_hex_mesh(path(name), points, hexahedra, CGAL::parameters::use_binary_mode(binary));
       const std::string good = content(path(name));
-      for(int i = 0; i < 300; ++i)
-      {
+      for (int i = 0; i < 300; ++i) {
         std::string bad = good;
-        if(i % 2 == 0)
+        if (i % 2 == 0)
           bad.resize(random() % bad.size());
         else
-          for(int j = 0; j < 3; ++j)
+          for (int j = 0; j < 3; ++j)
             bad[random() % bad.size()] = static_cast<char>(random());
         std::vector<Simple::Point_3> p;
         std::vector<Hexahedron> h;
-        try
-        {
+        try {
           CGAL::IO::read_hex_mesh(write(name, bad), p, h);
-          for(const Hexahedron& hexahedron : h)
-            for(const std::size_t v : hexahedron)
+          for (const Hexahedron& hexahedron : h)
+            for (const std::size_t v : hexahedron)
               EXPECT_LT(v, p.size());
         }
-        catch(const CGAL::IO::Hex_mesh_file_error&)
-        {}
+        catch (const CGAL::IO::Hex_mesh_file_error&) {
+        }
       }
     }
 }
@@ -631,13 +632,11 @@ TEST_F(Io, surfaces)
   std::string obj, vtk = vtk_points, poly, cells = "CELLS 7 39\n8 0 1 2 3 4 5 6 7\n", stl = "solid a\n";
   std::istringstream in(cube_points);
   std::vector<std::string> corners;
-  for(std::string line; std::getline(in, line); corners.push_back(line))
+  for (std::string line; std::getline(in, line); corners.push_back(line))
     obj += "v " + line + "\n";
-  for(const auto& q : quads)
-  {
+  for (const auto& q : quads) {
     off += "4", obj += "f", poly += "4", cells += "4";
-    for(const int v : q)
-    {
+    for (const int v : q) {
       off += " " + std::to_string(v);
       obj += " " + std::to_string(v + 1);
       medit += std::to_string(v + 1) + " ";
@@ -645,28 +644,29 @@ TEST_F(Io, surfaces)
       cells += " " + std::to_string(v);
     }
     off += "\n", obj += "\n", medit += "0\n", poly += "\n", cells += "\n";
-    for(int t = 1; t < 3; ++t)
-      stl += "facet normal 0 0 0\nouter loop\nvertex " + corners[q[0]] + "\nvertex " + corners[q[t]] + "\nvertex "
-             + corners[q[t + 1]] + "\nendloop\nendfacet\n";
+    for (int t = 1; t < 3; ++t)
+      stl += "facet normal 0 0 0\nouter loop\nvertex " + corners[q[0]] + "\nvertex " + corners[q[t]] + "\nvertex " +
+             corners[q[t + 1]] + "\nendloop\nendfacet\n";
   }
   stl += "endsolid a\n";
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
-    "element face 6\nproperty list uchar int vertex_indices\nend_header\n" + cube_points + poly;
+  const std::string ply =
+    "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
+    "element face 6\nproperty list uchar int vertex_indices\nend_header\n" +
+    cube_points + poly;
 
   std::string connectivity, xml = vtu("", "format=\"ascii\">" + cube_points, "format=\"ascii\">CONNECTIVITY",
                                       "format=\"ascii\">4 8 12 16 20 24", "format=\"ascii\">9 9 9 9 9 9");
-  for(const auto& q : quads)
-    for(const int v : q)
+  for (const auto& q : quads)
+    for (const int v : q)
       connectivity += std::to_string(v) + " ";
   xml.replace(xml.find("CONNECTIVITY"), 12, connectivity);
   xml.replace(xml.find("NumberOfCells=\"1"), 16, "NumberOfCells=\"6");
 
   const std::string poly_header = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n";
-  for(const std::string& file : {
-        write("a.off", off), write("a.obj", obj), write("a.STL", stl), write("a.ply", ply), write("a.mesh", medit),
+  for (const std::string& file :
+       {write("a.off", off), write("a.obj", obj), write("a.STL", stl), write("a.ply", ply), write("a.mesh", medit),
         write("a.vtk", vtk_header + vtk + cells + "CELL_TYPES 7\n12 9 9 9 9 9 9\n"),
-        write("b.vtk", poly_header + vtk + "POLYGONS 6 30\n" + poly + "CELL_DATA 6\n"), write("a.vtu", xml)})
-  {
+        write("b.vtk", poly_header + vtk + "POLYGONS 6 30\n" + poly + "CELL_DATA 6\n"), write("a.vtu", xml)}) {
     CGAL::Surface_mesh<Epick::Point_3> surface;
     surface.add_vertex();
     CGAL::IO::read_surface(file, surface);
@@ -681,16 +681,14 @@ TEST_F(Io, surface_errors)
 {
   CGAL::Surface_mesh<Epick::Point_3> surface;
   surface.add_vertex();
-  const auto fails = [&](const std::string& name, const std::string& text, std::size_t line, const std::string& reason)
-  {
+  const auto fails = [&](const std::string& name, const std::string& text, std::size_t line,
+                         const std::string& reason) {
     const std::string filename = write(name, text);
-    try
-    {
+    try {
       CGAL::IO::read_surface(filename, surface);
       ADD_FAILURE() << "nothing was thrown for " << name;
     }
-    catch(const CGAL::IO::Hex_mesh_file_error& error)
-    {
+    catch (const CGAL::IO::Hex_mesh_file_error& error) {
       EXPECT_EQ(error.line(), line) << error.what();
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
     }
@@ -710,8 +708,9 @@ TEST_F(Io, surface_errors)
   fails("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", 6, "vertex -1 does not exist");
   fails("a.off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n", 4, "at infinity");
   fails("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n", 0, "no polygons");
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
-                          "element face 1\nproperty list uint int vertex_indices\n"; // lines 1 to 8
+  const std::string ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+    "element face 1\nproperty list uint int vertex_indices\n"; // lines 1 to 8
   fails("a.ply", "", 1, "does not begin with \"ply\"");
   fails("a.ply", ply, 9, "the header does not end");
   fails("a.ply", "ply\nformat dvi 1.0\nend_header\n", 0, "the format is none of");
@@ -722,7 +721,8 @@ TEST_F(Io, surface_errors)
   fails("a.ply", ply + "end_header\n0 0 0\n", 10, "fewer elements vertex");
   fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 1    ", 12, "the data end here");
   fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", 12, "not a finite number");
-  fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", 13, "a list cannot have 4000000000 numbers");
+  fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", 13,
+        "a list cannot have 4000000000 numbers");
   fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", 13, "a list cannot have -3 numbers");
   fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", 0, "face 0 refers to vertex 3");
   fails("a.ply", ply + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -7\n", 0, "face 0 refers to vertex -7");
@@ -732,7 +732,8 @@ TEST_F(Io, surface_errors)
   std::string binary = ply;
   binary.replace(binary.find("ascii"), 5, "binary_little_endian");
   fails("a.ply", binary + "end_header\n" + std::string(80, '\xff'), 0, "not finite");
-  fails("a.ply", binary + "end_header\n" + std::string(72, '\0') + std::string(16, '\xff'), 0, "a list cannot have 4294967295 numbers");
+  fails("a.ply", binary + "end_header\n" + std::string(72, '\0') + std::string(16, '\xff'), 0,
+        "a list cannot have 4294967295 numbers");
   fails("a.ply", binary + "end_header\n" + std::string(60, '\0'), 0, "the file ends within the data");
   fails("a.stl", std::string(80, ' ') + std::string(4, '\xff') + std::string(50, '\0'), 0, ".stl format");
   fails("a.xyz", "0 0 0\n", 0, "the format is unknown");
@@ -746,14 +747,15 @@ TEST_F(Io, surfaces_with_the_line_ends_of_windows)
 {
   std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                     "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  for(const auto& [name, text] : {std::pair<std::string, std::string>("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
-                                  {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}, {"a.ply", ply},
-                                  {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-                                            "endloop\nendfacet\nendsolid a\n"},
-                                  {"a.mesh", medit_header + medit_vertices() + "Triangles\n1\n1 2 3 0\nEnd\n"}})
-  {
+  for (const auto& [name, text] :
+       {std::pair<std::string, std::string>("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+        {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"a.ply", ply},
+        {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                  "endloop\nendfacet\nendsolid a\n"},
+        {"a.mesh", medit_header + medit_vertices() + "Triangles\n1\n1 2 3 0\nEnd\n"}}) {
     std::string windows;
-    for(const char c : text)
+    for (const char c : text)
       windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
     CGAL::Surface_mesh<Epick::Point_3> surface;
     CGAL::IO::read_surface(write(name, windows), surface);
@@ -763,13 +765,12 @@ TEST_F(Io, surfaces_with_the_line_ends_of_windows)
 
 TEST_F(Io, surfaces_in_other_kinds_of_off_and_ply)
 {
-  const auto triangles = [&](const std::string& name, const std::string& text)
-  {
+  const auto triangles = [&](const std::string& name, const std::string& text) {
     CGAL::Surface_mesh<Epick::Point_3> surface;
     CGAL::IO::read_surface(write(name, text), surface);
     EXPECT_EQ(num_vertices(surface), 3u) << text;
     double sum = 0;
-    for(const auto v : surface.vertices())
+    for (const auto v : surface.vertices())
       sum += surface.point(v).x() + 2 * surface.point(v).y() + 4 * surface.point(v).z();
     EXPECT_EQ(sum, 3) << text; // (0, 0, 0), (1, 0, 0), (0, 1, 0)
     return num_faces(surface);
@@ -778,18 +779,23 @@ TEST_F(Io, surfaces_in_other_kinds_of_off_and_ply)
   EXPECT_EQ(triangles("a.off", "OFF 3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2"), 1u);
   EXPECT_EQ(triangles("a.off", "COFF\n3 1 0\n0 0 0 2\n1 0 0\n0 1 0\n3 0 1 2\n"), 1u) << "one vertex has a color";
   EXPECT_EQ(triangles("a.off", "STCN4OFF\n3 1 0\n0 0 0 2 9 9 9\n2 0 0 2 9 9 9\n0 .5 0 .5 9 9\n3 0 1 2\n"), 1u);
-  EXPECT_EQ(triangles("a.ply", "ply\ncomment c\nformat ascii 1.0\nelement nothing 7\nelement vertex 3\nproperty list uchar float w\n"
-                               "property int x\nproperty float y\nproperty float nx\nproperty float z\nelement edge 1\n"
-                               "property int a\nelement face 2\nproperty uchar flag\nproperty list uchar uint vertex_index\n"
-                               "end_header\n2 1 2 0 0 9 0\n0 1 0 9 0\n1 5 0 1 9 0\n7\n1 3 0 1 2\n1 2 0 1\n"), 1u);
-  for(const bool little : {true, false})
-  {
-    std::string binary = std::string("ply\nformat binary_") + (little ? "little" : "big") + "_endian 1.0\nelement face 1\n"
+  EXPECT_EQ(
+    triangles("a.ply",
+              "ply\ncomment c\nformat ascii 1.0\nelement nothing 7\nelement vertex 3\nproperty list uchar float w\n"
+              "property int x\nproperty float y\nproperty float nx\nproperty float z\nelement edge 1\n"
+              "property int a\nelement face 2\nproperty uchar flag\nproperty list uchar uint vertex_index\n"
+              "end_header\n2 1 2 0 0 9 0\n0 1 0 9 0\n1 5 0 1 9 0\n7\n1 3 0 1 2\n1 2 0 1\n"),
+    1u);
+  for (const bool little : {true, false}) {
+    std::string binary = std::string("ply\nformat binary_") + (little ? "little" : "big") +
+                         "_endian 1.0\nelement face 1\n"
                          "property list short uint vertex_indices\nproperty double d\nelement vertex 3\n"
                          "property float z\nproperty double y\nproperty char x\nend_header\n";
-    binary += bytes_of<std::int16_t>({3}, little) + bytes_of<std::uint32_t>({0, 1, 2}, little) + bytes_of<double>({7}, little);
-    for(int v = 0; v < 3; ++v)
-      binary += bytes_of<float>({0}, little) + bytes_of<double>({double(v == 2)}, little) + bytes_of<std::int8_t>({std::int8_t(v == 1)}, little);
+    binary += bytes_of<std::int16_t>({3}, little) + bytes_of<std::uint32_t>({0, 1, 2}, little) +
+              bytes_of<double>({7}, little);
+    for (int v = 0; v < 3; ++v)
+      binary += bytes_of<float>({0}, little) + bytes_of<double>({double(v == 2)}, little) +
+                bytes_of<std::int8_t>({std::int8_t(v == 1)}, little);
     EXPECT_EQ(triangles("a.ply", binary), 1u) << little;
   }
 }
@@ -798,10 +804,9 @@ TEST_F(Io, surfaces_in_other_kinds_of_off_and_ply)
 double total_area(const CGAL::Surface_mesh<Epick::Point_3>& surface)
 {
   double sum = 0;
-  for(const auto f : surface.faces())
-  {
+  for (const auto f : surface.faces()) {
     std::vector<Epick::Point_3> p;
-    for(const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
       p.push_back(surface.point(v));
     sum += std::sqrt(CGAL::to_double(CGAL::cross_product(p[1] - p[0], p[2] - p[0]).squared_length())) / 2;
   }
@@ -811,12 +816,10 @@ double total_area(const CGAL::Surface_mesh<Epick::Point_3>& surface)
 // Whatever its shape, a polygon of n corners gives n - 2 connected triangles, and a simple one is covered once.
 TEST_F(Io, polygons_are_triangulated)
 {
-  const auto read = [&](const std::vector<std::array<double, 3>>& corners)
-  {
+  const auto read = [&](const std::vector<std::array<double, 3>>& corners) {
     std::string text = "OFF\n" + std::to_string(corners.size()) + " 1 0\n", face = std::to_string(corners.size());
-    for(std::size_t i = 0; i < corners.size(); ++i)
-    {
-      for(const double x : corners[i])
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (const double x : corners[i])
         text += std::to_string(x) + " ";
       text += "\n";
       face += " " + std::to_string(i);
@@ -831,16 +834,25 @@ TEST_F(Io, polygons_are_triangulated)
   // an L, a comb, a spiral; upright and turned over
   const std::vector<std::vector<std::array<double, 2>>> shapes = {
     {{{0, 0}}, {{2, 0}}, {{2, 1}}, {{1, 1}}, {{1, 2}}, {{0, 2}}},
-    {{{0, 0}}, {{5, 0}}, {{5, 3}}, {{4, 3}}, {{4, 1}}, {{3, 1}}, {{3, 3}}, {{2, 3}}, {{2, 1}}, {{1, 1}}, {{1, 3}}, {{0, 3}}},
+    {{{0, 0}},
+     {{5, 0}},
+     {{5, 3}},
+     {{4, 3}},
+     {{4, 1}},
+     {{3, 1}},
+     {{3, 3}},
+     {{2, 3}},
+     {{2, 1}},
+     {{1, 1}},
+     {{1, 3}},
+     {{0, 3}}},
     {{{0, 0}}, {{4, 0}}, {{4, 4}}, {{1, 4}}, {{1, 2}}, {{2, 2}}, {{2, 3}}, {{3, 3}}, {{3, 1}}, {{0, 1}}}};
-  for(const auto& shape : shapes)
-    for(int plane = 0; plane < 3; ++plane)
-      for(const bool backwards : {false, true})
-      {
+  for (const auto& shape : shapes)
+    for (int plane = 0; plane < 3; ++plane)
+      for (const bool backwards : {false, true}) {
         double area = 0;
         std::vector<std::array<double, 3>> corners;
-        for(std::size_t i = 0; i < shape.size(); ++i)
-        {
+        for (std::size_t i = 0; i < shape.size(); ++i) {
           const auto &p = shape[i], &q = shape[(i + 1) % shape.size()];
           area += (p[0] * q[1] - p[1] * q[0]) / 2;
           std::array<double, 3> corner = {{9, 9, 9}};
@@ -848,7 +860,7 @@ TEST_F(Io, polygons_are_triangulated)
           corner[(plane + 2) % 3] = p[1];
           corners.push_back(corner);
         }
-        if(backwards)
+        if (backwards)
           std::reverse(corners.begin(), corners.end());
         EXPECT_NEAR(total_area(read(corners)), area, 1e-12);
       }
@@ -857,11 +869,10 @@ TEST_F(Io, polygons_are_triangulated)
   read({{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{3, 0, 0}}, {{4, 0, 0}}});
   read({{{1, 1, 1}}, {{1, 1, 1}}, {{1, 1, 1}}, {{1, 1, 1}}, {{1, 1, 1}}});
   std::mt19937 random(5);
-  for(int n = 4; n < 60; ++n)
-  {
+  for (int n = 4; n < 60; ++n) {
     std::vector<std::array<double, 3>> corners(n);
-    for(auto& p : corners)
-      for(double& x : p)
+    for (auto& p : corners)
+      for (double& x : p)
         x = double(random() % 10);
     read(corners);
   }

@@ -73,36 +73,33 @@ struct Grid
 
   Grid(std::size_t nx, std::size_t ny, std::size_t nz, unsigned int seed)
   {
-    const auto vertex = [&](std::size_t i, std::size_t j, std::size_t k)
-      { return (k * (ny + 1) + j) * (nx + 1) + i; };
+    const auto vertex = [&](std::size_t i, std::size_t j, std::size_t k) { return (k * (ny + 1) + j) * (nx + 1) + i; };
     std::mt19937 random(seed);
     std::vector<std::size_t> number(vertex(nx, ny, nz) + 1);
-    for(std::size_t v = 0; v < number.size(); ++v)
+    for (std::size_t v = 0; v < number.size(); ++v)
       number[v] = v;
     std::shuffle(number.begin(), number.end(), random);
 
     points.resize(number.size());
-    for(std::size_t k = 0; k <= nz; ++k)
-      for(std::size_t j = 0; j <= ny; ++j)
-        for(std::size_t i = 0; i <= nx; ++i)
+    for (std::size_t k = 0; k <= nz; ++k)
+      for (std::size_t j = 0; j <= ny; ++j)
+        for (std::size_t i = 0; i <= nx; ++i)
           points[number[vertex(i, j, k)]] = {0.1 * i, 0.3 * j, 0.7 * k};
 
     const int rotations[2][8] = {{1, 2, 3, 0, 5, 6, 7, 4}, {0, 3, 7, 4, 1, 2, 6, 5}};
-    for(std::size_t k = 0; k < nz; ++k)
-      for(std::size_t j = 0; j < ny; ++j)
-        for(std::size_t i = 0; i < nx; ++i)
-        {
-          Hexahedron h = {vertex(i, j, k), vertex(i + 1, j, k), vertex(i + 1, j + 1, k), vertex(i, j + 1, k),
-                          vertex(i, j, k + 1), vertex(i + 1, j, k + 1),
-                          vertex(i + 1, j + 1, k + 1), vertex(i, j + 1, k + 1)};
-          for(int turns = 5; turns > 0; --turns)
-          {
+    for (std::size_t k = 0; k < nz; ++k)
+      for (std::size_t j = 0; j < ny; ++j)
+        for (std::size_t i = 0; i < nx; ++i) {
+          Hexahedron h = {
+            vertex(i, j, k),     vertex(i + 1, j, k),     vertex(i + 1, j + 1, k),     vertex(i, j + 1, k),
+            vertex(i, j, k + 1), vertex(i + 1, j, k + 1), vertex(i + 1, j + 1, k + 1), vertex(i, j + 1, k + 1)};
+          for (int turns = 5; turns > 0; --turns) {
             const Hexahedron from = h;
             const int* rotation = rotations[random() % 2];
-            for(int c = 0; c < 8; ++c)
+            for (int c = 0; c < 8; ++c)
               h[c] = from[rotation[c]];
           }
-          for(std::size_t& v : h)
+          for (std::size_t& v : h)
             v = number[v];
           hexahedra.push_back(h);
         }
@@ -111,16 +108,13 @@ struct Grid
 };
 
 // The same box numbered as its mirror image.
-Hexahedron mirrored(const Hexahedron& h)
-{
-  return {h[4], h[5], h[6], h[7], h[0], h[1], h[2], h[3]};
-}
+Hexahedron mirrored(const Hexahedron& h) { return {h[4], h[5], h[6], h[7], h[0], h[1], h[2], h[3]}; }
 
 template <class LCC>
 std::vector<typename LCC::Point> points_of(const Grid& grid)
 {
   std::vector<typename LCC::Point> points;
-  for(const auto& p : grid.points)
+  for (const auto& p : grid.points)
     points.emplace_back(p[0], p[1], p[2]);
   return points;
 }
@@ -131,12 +125,10 @@ std::size_t refused_hexahedron(std::size_t number_of_points, const Hexahedra& he
 {
   LCC lcc;
   std::vector<typename LCC::Point> points(number_of_points, typename LCC::Point(0, 0, 0));
-  try
-  {
+  try {
     HMO::hexahedra_to_linear_cell_complex(points, hexahedra, lcc);
   }
-  catch(const HMO::Input_error& error)
-  {
+  catch (const HMO::Input_error& error) {
     EXPECT_EQ(error.element(), HMO::Input_error::Element::HEXAHEDRON);
     EXPECT_NE(error.message().find(reason), std::string::npos) << error.message();
     EXPECT_TRUE(lcc.is_empty()) << "the complex was changed";
@@ -148,25 +140,26 @@ std::size_t refused_hexahedron(std::size_t number_of_points, const Hexahedra& he
 }
 
 template <class LCC>
-class Linear_cell_complex : public ::testing::Test {};
+class Linear_cell_complex : public ::testing::Test
+{};
 
-using Complexes = ::testing::Types<
-  Cmap<Min_items>, Gmap<Min_items>, Cmap<Min_items, Simple>, Gmap<Min_items, Simple>, Cmap<Rich_items>, Gmap<Rich_items>
+using Complexes = ::testing::Types<Cmap<Min_items>, Gmap<Min_items>, Cmap<Min_items, Simple>, Gmap<Min_items, Simple>,
+                                   Cmap<Rich_items>, Gmap<Rich_items>
 #if CGAL_VERSION_NR >= 1050600000
-  , Cmap<Index_items>, Gmap<Index_items>
+                                   ,
+                                   Cmap<Index_items>, Gmap<Index_items>
 #endif
-  >;
+                                   >;
 TYPED_TEST_SUITE(Linear_cell_complex, Complexes);
 
 TYPED_TEST(Linear_cell_complex, gives_back_what_it_was_made_from)
 {
-  for(unsigned int seed = 0; seed < 4; ++seed)
-  {
+  for (unsigned int seed = 0; seed < 4; ++seed) {
     Grid grid(2 + seed, 3, 4, seed);
     grid.points.insert(grid.points.begin() + 7, {-1., -2., -3.}); // unreferenced
     grid.points.push_back({1e-300, 1. / 3., -0.});                // unreferenced
-    for(Hexahedron& h : grid.hexahedra)
-      for(std::size_t& v : h)
+    for (Hexahedron& h : grid.hexahedra)
+      for (std::size_t& v : h)
         v += v >= 7;
     const auto points = points_of<TypeParam>(grid);
 
@@ -188,7 +181,7 @@ TYPED_TEST(Linear_cell_complex, gives_back_what_it_was_made_from)
     HMO::linear_cell_complex_to_hexahedra(constant, points_back, hexahedra_back);
     EXPECT_EQ(points_back, points);
     ASSERT_EQ(hexahedra_back.size(), grid.hexahedra.size());
-    for(std::size_t h = 0; h < grid.hexahedra.size(); ++h)
+    for (std::size_t h = 0; h < grid.hexahedra.size(); ++h)
       EXPECT_TRUE(std::equal(hexahedra_back[h].begin(), hexahedra_back[h].end(), grid.hexahedra[h].begin())) << h;
   }
 }
@@ -196,7 +189,7 @@ TYPED_TEST(Linear_cell_complex, gives_back_what_it_was_made_from)
 TYPED_TEST(Linear_cell_complex, keeps_mirrored_numbering)
 {
   Grid grid(2, 2, 2, 5);
-  for(Hexahedron& h : grid.hexahedra)
+  for (Hexahedron& h : grid.hexahedra)
     h = mirrored(h);
   TypeParam lcc;
   HMO::hexahedra_to_linear_cell_complex(points_of<TypeParam>(grid), grid.hexahedra, lcc);
@@ -220,7 +213,7 @@ TYPED_TEST(Linear_cell_complex, is_written_back_through_vertex_attributes)
 #endif
   HMO::linear_cell_complex_to_hexahedra(lcc, points, hexahedra, vertices);
   ASSERT_EQ(vertices.size(), points.size());
-  for(std::size_t v = 0; v < points.size(); ++v)
+  for (std::size_t v = 0; v < points.size(); ++v)
     lcc.point_of_vertex_attribute(vertices[v]) = points[v] = typename TypeParam::Point(double(v), 0, 1);
   HMO::linear_cell_complex_to_hexahedra(lcc, moved, hexahedra);
   EXPECT_EQ(moved, points);
@@ -238,8 +231,7 @@ TYPED_TEST(Linear_cell_complex, invalid_hexahedra_are_found_by_a_dart_each)
   std::vector<Hexahedron> sewn = grid.hexahedra, alone;
   alone.push_back(sewn[4]);
   sewn.erase(sewn.begin() + 4);
-  for(const std::vector<Hexahedron>& hexahedra : {sewn, alone})
-  {
+  for (const std::vector<Hexahedron>& hexahedra : {sewn, alone}) {
     lcc.clear();
     HMO::hexahedra_to_linear_cell_complex(points, hexahedra, lcc);
     std::vector<std::size_t> indices;
@@ -248,8 +240,7 @@ TYPED_TEST(Linear_cell_complex, invalid_hexahedra_are_found_by_a_dart_each)
     HMO::invalid_hexahedra(lcc, std::back_inserter(darts));
     EXPECT_FALSE(indices.empty());
     ASSERT_EQ(darts.size(), indices.size());
-    for(std::size_t i = 0; i < darts.size(); ++i)
-    {
+    for (std::size_t i = 0; i < darts.size(); ++i) {
       EXPECT_EQ(lcc.point(darts[i]), points[hexahedra[indices[i]][0]]);
       EXPECT_EQ(lcc.point(lcc.next(darts[i])), points[hexahedra[indices[i]][4]]);
     }
@@ -260,10 +251,9 @@ TYPED_TEST(Linear_cell_complex, made_by_hand_is_listed)
 {
   using Point = typename TypeParam::Point;
   TypeParam lcc;
-  const auto box = [&](double x)
-  {
-    return lcc.make_hexahedron(Point(x, 0, 0), Point(x + 1, 0, 0), Point(x + 1, 1, 0), Point(x, 1, 0),
-                               Point(x, 1, 1), Point(x, 0, 1), Point(x + 1, 0, 1), Point(x + 1, 1, 1));
+  const auto box = [&](double x) {
+    return lcc.make_hexahedron(Point(x, 0, 0), Point(x + 1, 0, 0), Point(x + 1, 1, 0), Point(x, 1, 0), Point(x, 1, 1),
+                               Point(x, 0, 1), Point(x + 1, 0, 1), Point(x + 1, 1, 1));
   };
   box(0);
   box(1);
@@ -276,12 +266,11 @@ TYPED_TEST(Linear_cell_complex, made_by_hand_is_listed)
   HMO::linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
   EXPECT_EQ(points.size(), 12u);
   ASSERT_EQ(hexahedra.size(), 2u);
-  for(std::size_t h = 0; h < 2; ++h)
-  {
+  for (std::size_t h = 0; h < 2; ++h) {
     const double x = double(h);
     const Point corners[8] = {Point(x, 0, 0), Point(x + 1, 0, 0), Point(x + 1, 1, 0), Point(x, 1, 0),
                               Point(x, 0, 1), Point(x + 1, 0, 1), Point(x + 1, 1, 1), Point(x, 1, 1)};
-    for(int c = 0; c < 8; ++c)
+    for (int c = 0; c < 8; ++c)
       EXPECT_EQ(points[hexahedra[h][c]], corners[c]);
   }
 }
@@ -291,14 +280,11 @@ TYPED_TEST(Linear_cell_complex, refuses_what_is_not_a_hexahedron)
   using Point = typename TypeParam::Point;
   std::vector<Point> points;
   std::vector<Hexahedron> hexahedra;
-  const auto refused = [&](const TypeParam& lcc)
-  {
-    try
-    {
+  const auto refused = [&](const TypeParam& lcc) {
+    try {
       HMO::linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
     }
-    catch(const HMO::Input_error& error)
-    {
+    catch (const HMO::Input_error& error) {
       return error.element_index();
     }
     ADD_FAILURE() << "nothing was thrown";
@@ -320,8 +306,8 @@ TYPED_TEST(Linear_cell_complex, refuses_what_is_not_a_hexahedron)
   EXPECT_EQ(refused(segment), 0u);
 
   TypeParam split;
-  auto dart = split.make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
-                                    Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1));
+  auto dart = split.make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1),
+                                    Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1));
   split.template insert_barycenter_in_cell<1>(dart);
   EXPECT_EQ(refused(split), 0u);
 
@@ -341,7 +327,7 @@ TYPED_TEST(Linear_cell_complex, refuses_bad_hexahedra)
   EXPECT_EQ(refused_hexahedron<LCC>(n, bad, "vertex index 27 is out of range"), 5u);
 
   std::vector<std::vector<int>> ranges;
-  for(const Hexahedron& h : grid.hexahedra)
+  for (const Hexahedron& h : grid.hexahedra)
     ranges.emplace_back(h.begin(), h.end());
   ranges[4][0] = -1;
   EXPECT_EQ(refused_hexahedron<LCC>(n, ranges, "vertex index -1 is out of range"), 4u);
@@ -381,19 +367,18 @@ TYPED_TEST(Linear_cell_complex, refuses_non_manifold_vertices_and_edges)
   // layers are complete and connect them.
   Grid grid(2, 2, 3, 0);
   Hexahedron order[3][2][2];
-  for(const Hexahedron& h : grid.hexahedra)
-  {
+  for (const Hexahedron& h : grid.hexahedra) {
     double center[3] = {0, 0, 0};
-    for(std::size_t v : h)
-      for(int i = 0; i < 3; ++i)
+    for (std::size_t v : h)
+      for (int i = 0; i < 3; ++i)
         center[i] += grid.points[v][i] / 8;
     order[int(center[2] / 0.7)][int(center[1] / 0.3)][int(center[0] / 0.1)] = h;
   }
   bad.clear();
-  for(int k = 0; k < 3; ++k)
-    for(int j = 0; j < 2; ++j)
-      for(int i = 0; i < 2; ++i)
-        if(k != 1 || i == j)
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i)
+        if (k != 1 || i == j)
           bad.push_back(order[k][j][i]);
   ASSERT_EQ(bad.size(), 10u);
   EXPECT_EQ(refused_hexahedron<LCC>(grid.points.size(), bad, "at edge"), 5u);
@@ -405,17 +390,17 @@ TEST(Generalized_map, orients_a_component_as_its_first_volume)
   using LCC = Gmap<Min_items>;
   using Point = LCC::Point;
   LCC lcc;
-  lcc.make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
-                      Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1));
+  lcc.make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1), Point(0, 0, 1),
+                      Point(1, 0, 1), Point(1, 1, 1));
   // Bottom and top exchanged: numbered as its own mirror image.
-  lcc.make_hexahedron(Point(1, 0, 1), Point(2, 0, 1), Point(2, 1, 1), Point(1, 1, 1),
-                      Point(1, 1, 0), Point(1, 0, 0), Point(2, 0, 0), Point(2, 1, 0));
+  lcc.make_hexahedron(Point(1, 0, 1), Point(2, 0, 1), Point(2, 1, 1), Point(1, 1, 1), Point(1, 1, 0), Point(1, 0, 0),
+                      Point(2, 0, 0), Point(2, 1, 0));
   ASSERT_EQ(lcc.sew3_same_facets(), 1u);
   std::vector<Point> points;
   std::vector<Hexahedron> hexahedra;
   HMO::linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
   ASSERT_EQ(hexahedra.size(), 2u);
-  for(const Hexahedron& h : hexahedra)
+  for (const Hexahedron& h : hexahedra)
     EXPECT_EQ(CGAL::orientation(points[h[0]], points[h[1]], points[h[3]], points[h[4]]), CGAL::POSITIVE);
 }
 

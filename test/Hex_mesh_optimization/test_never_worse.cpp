@@ -43,8 +43,14 @@ using HMO::Status;
 // --- Small meshes ---------------------------------------------------------------------
 
 const std::vector<Mesh_family> small_families = {
-  {"block", [](Indexed_mesh& m) { HMO::make_block(m.points, m.hexahedra, {{3, 2, 3}}, {{3, 2, 3}}); }},
-  {"thin_block", [](Indexed_mesh& m) { HMO::make_block(m.points, m.hexahedra, {{4, 4, 3}}, {{4, 4, .1}}); }},
+  {"block",
+   [](Indexed_mesh& m) {
+     HMO::make_block(m.points, m.hexahedra, {{3, 2, 3}}, {{3, 2, 3}});
+   }},
+  {"thin_block",
+   [](Indexed_mesh& m) {
+     HMO::make_block(m.points, m.hexahedra, {{4, 4, 3}}, {{4, 4, .1}});
+   }},
   {"twisted_bar", [](Indexed_mesh& m) { HMO::make_bent_bar(m.points, m.hexahedra, 6, 2, 4, 1, 1, 1.5); }},
   {"cylinder", [](Indexed_mesh& m) { HMO::make_cylinder(m.points, m.hexahedra, 2, 2); }},
   {"ball", [](Indexed_mesh& m) { HMO::make_ball(m.points, m.hexahedra, 2); }},
@@ -90,21 +96,24 @@ const std::vector<Damage> damages = {
   {"rotated", [](Indexed_mesh& m, std::uint64_t seed) { HMO::rotate_hexahedra(m.points, m.hexahedra, seed, .3); }},
   {"jittered", [](Indexed_mesh& m, std::uint64_t seed) { HMO::jitter_boundary(m.points, m.hexahedra, seed, .5); }},
   {"displaced", [](Indexed_mesh& m, std::uint64_t seed) { HMO::displace_vertex(m.points, m.hexahedra, seed); }},
-  {"sheared", [](Indexed_mesh& m, std::uint64_t seed) {
+  {"sheared",
+   [](Indexed_mesh& m, std::uint64_t seed) {
      const double s = (1 + double(seed % 4)) / 2; // a reference of another size is refused
      move_all(m, [=](const Point& p, std::size_t) { return Point(p.x() + s * p.z(), p.y() - s * p.x(), p.z()); });
    }},
-  {"squashed", [](Indexed_mesh& m, std::uint64_t seed) {
+  {"squashed",
+   [](Indexed_mesh& m, std::uint64_t seed) {
      const double s = std::ldexp(1., -4 - 6 * int(seed % 4));
      move_all(m, [=](const Point& p, std::size_t) { return Point(p.x(), p.y(), s * p.z()); });
    }},
-  {"flat", [](Indexed_mesh& m, std::uint64_t) {
-     move_all(m, [](const Point& p, std::size_t) { return Point(p.x(), p.y(), 0); });
-   }},
-  {"mirrored_in_part", [](Indexed_mesh& m, std::uint64_t) {
+  {"flat", [](Indexed_mesh& m,
+              std::uint64_t) { move_all(m, [](const Point& p, std::size_t) { return Point(p.x(), p.y(), 0); }); }},
+  {"mirrored_in_part",
+   [](Indexed_mesh& m, std::uint64_t) {
      move_all(m, [](const Point& p, std::size_t) { return Point(p.x(), std::abs(p.y() - .7), p.z()); });
    }},
-  {"collapsed_in_part", [](Indexed_mesh& m, std::uint64_t seed) {
+  {"collapsed_in_part",
+   [](Indexed_mesh& m, std::uint64_t seed) {
      const Point q = m.points[seed % m.points.size()];
      move_all(m, [=](const Point& p, std::size_t v) { return (v + seed) % 5 == 0 ? q : p; });
    }},
@@ -142,9 +151,9 @@ struct Options
 
 std::ostream& operator<<(std::ostream& os, const Options& o)
 {
-  return os << "method " << int(o.method) << (o.has_reference ? ", reference" : "") << (o.fixed_boundary ? ", fixed boundary" : "")
-            << (o.has_frozen_vertices ? ", frozen vertices" : "") << ", deviation " << o.maximum_deviation << ", iterations "
-            << o.iterations;
+  return os << "method " << int(o.method) << (o.has_reference ? ", reference" : "")
+            << (o.fixed_boundary ? ", fixed boundary" : "") << (o.has_frozen_vertices ? ", frozen vertices" : "")
+            << ", deviation " << o.maximum_deviation << ", iterations " << o.iterations;
 }
 
 // --- The guarantees -------------------------------------------------------------------------
@@ -154,7 +163,8 @@ struct Tally
   int cases = 0, valid_before = 0, valid_after = 0, improved = 0, bounded = 0;
 };
 
-void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::uint64_t seed, const Options& options, Tally& tally)
+void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::uint64_t seed, const Options& options,
+                       Tally& tally)
 {
   Indexed_mesh mesh = intact;
   damage.apply(mesh, seed);
@@ -173,8 +183,9 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
   Surface_mesh surface;
   if (options.has_reference) {
     using Vertex = Surface_mesh::Vertex_index;
-    for_boundary(intact, [&](const Point& p) { return surface.add_vertex(p); },
-                 [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
+    for_boundary(
+      intact, [&](const Point& p) { return surface.add_vertex(p); },
+      [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
   }
   const auto optimize = [&](Indexed_mesh& m) {
     return options.has_reference ? CGAL::optimize_hex_mesh(m.points, m.hexahedra, surface, np)
@@ -224,8 +235,9 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
     Indexed_mesh unmoved = input;
     const std::vector<char> all(unmoved.points.size(), true);
     const auto hold = params::vertex_is_constrained_map(Marked_vertices{&all}).maximum_deviation(bound);
-    const Status given = options.has_reference ? CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, surface, hold)
-                                               : CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, hold);
+    const Status given = options.has_reference
+                           ? CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, surface, hold)
+                           : CGAL::optimize_hex_mesh(unmoved.points, unmoved.hexahedra, hold);
     if (given.is_within_deviation_bound() && b.number_of_invalid >= a.number_of_invalid) {
       ++tally.bounded;
       EXPECT_TRUE(status.is_within_deviation_bound()) << status.deviation.certified << " of " << bound;
@@ -233,19 +245,23 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
         EXPECT_GE(b.minimum, a.minimum);
       }
     }
-    const bool was_stopped = status.return_code == HMO::Return_code::TIME_LIMIT || status.return_code == HMO::Return_code::STOPPED_BY_VISITOR;
-    EXPECT_TRUE(was_stopped || status.is_within_deviation_bound() != (status.return_code == HMO::Return_code::DEVIATION_BOUND_NOT_MET));
+    const bool was_stopped = status.return_code == HMO::Return_code::TIME_LIMIT ||
+                             status.return_code == HMO::Return_code::STOPPED_BY_VISITOR;
+    EXPECT_TRUE(was_stopped || status.is_within_deviation_bound() !=
+                                 (status.return_code == HMO::Return_code::DEVIATION_BOUND_NOT_MET));
   }
 }
 
-class Never_worse : public ::testing::TestWithParam<std::tuple<Mesh_family, Damage>> {};
+class Never_worse : public ::testing::TestWithParam<std::tuple<Mesh_family, Damage>>
+{};
 
 std::string case_name(const ::testing::TestParamInfo<std::tuple<Mesh_family, Damage>>& info)
 {
   return std::string(std::get<0>(info.param).name) + "_" + std::get<1>(info.param).name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Never_worse, ::testing::Combine(::testing::ValuesIn(small_families), ::testing::ValuesIn(damages)),
+INSTANTIATE_TEST_SUITE_P(Families, Never_worse,
+                         ::testing::Combine(::testing::ValuesIn(small_families), ::testing::ValuesIn(damages)),
                          case_name);
 
 TEST_P(Never_worse, whatever_the_options)

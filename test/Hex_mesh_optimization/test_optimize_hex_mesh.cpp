@@ -47,8 +47,11 @@ using HMO::Status;
 Surface_mesh surface_of(const Indexed_mesh& mesh)
 {
   Surface_mesh surface;
-  for_boundary(mesh, [&](const Point& p) { return surface.add_vertex(p); },
-               [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) { surface.add_face(a, b, c); });
+  for_boundary(
+    mesh, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
+      surface.add_face(a, b, c);
+    });
   return surface;
 }
 
@@ -85,7 +88,8 @@ void expect_never_worse(const Status& status)
   }
 }
 
-class Optimize_hex_mesh : public ::testing::TestWithParam<Mesh_family> {};
+class Optimize_hex_mesh : public ::testing::TestWithParam<Mesh_family>
+{};
 
 INSTANTIATE_TEST_SUITE_P(Families, Optimize_hex_mesh, ::testing::ValuesIn(mesh_families()), Family_name());
 
@@ -103,8 +107,8 @@ TEST_P(Optimize_hex_mesh, untangles_a_scrambled_interior)
     expect_honest(input, mesh, status);
     expect_never_worse(status);
     EXPECT_GT(status.before.number_of_inverted, 0u);
-    EXPECT_TRUE(status.valid_mesh()) << status.after.number_of_inverted << " inverted of " << status.before.number_of_inverted
-                                     << ", minimum " << status.after.minimum;
+    EXPECT_TRUE(status.valid_mesh()) << status.after.number_of_inverted << " inverted of "
+                                     << status.before.number_of_inverted << ", minimum " << status.after.minimum;
     EXPECT_GT(status.after.minimum, 0);
   }
 }
@@ -129,34 +133,36 @@ TEST_P(Optimize_hex_mesh, untangles_within_a_fixed_boundary)
   }
 }
 
-// As in the paper, Section 4: an interior vertex held away from its place. Twice the edge length always comes out valid;
-// of four times, nothing is promised but that the result is no worse.
+// As in the paper, Section 4: an interior vertex held away from its place. Twice the edge length always comes out
+// valid; of four times, nothing is promised but that the result is no worse.
 TEST(Optimize_hex_mesh_with_constraints, untangles_around_a_displaced_vertex)
 {
   for (int edges : {2, 4})
-  for (std::uint64_t seed = 0, tried = 0; tried < 3; ++seed) {
-    Indexed_mesh mesh;
-    const int n = 9;
-    HMO::make_block(mesh.points, mesh.hexahedra, {{n, n, n}}, {{double(n), double(n), double(n)}});
-    const std::size_t v = HMO::displace_vertex(mesh.points, mesh.hexahedra, seed, edges);
-    const Point place = mesh.points[v];
-    bool inside = true; // and with room for the hexahedra between it and the boundary
-    for (int d = 0; d < 3; ++d)
-      inside = inside && place[d] > 1.5 && place[d] < n - 1.5;
-    if (!inside)
-      continue;
-    ++tried;
-    SCOPED_TRACE(seed);
-    const Indexed_mesh input = mesh;
-    std::vector<char> marks(mesh.points.size(), false);
-    marks[v] = true;
-    const Status status = optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}).optimization_method(Method::RECTIFICATION));
-    EXPECT_EQ(mesh.points[v], place);
-    expect_honest(input, mesh, status);
-    expect_never_worse(status);
-    EXPECT_TRUE(edges > 2 || status.valid_mesh()) << status.after.number_of_inverted << " of " << status.before.number_of_inverted
-                                     << ", minimum " << status.after.minimum;
-  }
+    for (std::uint64_t seed = 0, tried = 0; tried < 3; ++seed) {
+      Indexed_mesh mesh;
+      const int n = 9;
+      HMO::make_block(mesh.points, mesh.hexahedra, {{n, n, n}}, {{double(n), double(n), double(n)}});
+      const std::size_t v = HMO::displace_vertex(mesh.points, mesh.hexahedra, seed, edges);
+      const Point place = mesh.points[v];
+      bool inside = true; // and with room for the hexahedra between it and the boundary
+      for (int d = 0; d < 3; ++d)
+        inside = inside && place[d] > 1.5 && place[d] < n - 1.5;
+      if (!inside)
+        continue;
+      ++tried;
+      SCOPED_TRACE(seed);
+      const Indexed_mesh input = mesh;
+      std::vector<char> marks(mesh.points.size(), false);
+      marks[v] = true;
+      const Status status = optimize(
+        mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}).optimization_method(Method::RECTIFICATION));
+      EXPECT_EQ(mesh.points[v], place);
+      expect_honest(input, mesh, status);
+      expect_never_worse(status);
+      EXPECT_TRUE(edges > 2 || status.valid_mesh())
+        << status.after.number_of_inverted << " of " << status.before.number_of_inverted << ", minimum "
+        << status.after.minimum;
+    }
 }
 
 TEST_P(Optimize_hex_mesh, keeps_constrained_vertices)
@@ -168,7 +174,8 @@ TEST_P(Optimize_hex_mesh, keeps_constrained_vertices)
     std::vector<char> marks(mesh.points.size());
     for (std::size_t v = 0; v < marks.size(); ++v)
       marks[v] = v % 5 == 0;
-    const Status status = optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}).optimization_method(method));
+    const Status status =
+      optimize(mesh, params::vertex_is_constrained_map(Marked_vertices{&marks}).optimization_method(method));
     expect_honest(input, mesh, status);
     expect_never_worse(status);
     for (std::size_t v = 0; v < marks.size(); ++v)
@@ -243,8 +250,8 @@ TEST_P(Optimize_hex_mesh, never_makes_a_valid_mesh_worse_with_a_separate_referen
     if (variant > 1)
       HMO::jitter_boundary(mesh.points, mesh.hexahedra, variant, .15);
     const Indexed_mesh input = mesh;
-    const Status status =
-      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface, params::optimization_method(Method::RECTIFICATION));
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface,
+                                                  params::optimization_method(Method::RECTIFICATION));
     expect_honest(input, mesh, status);
     expect_never_worse(status); // all is within what is tolerated
   }
@@ -282,8 +289,9 @@ TEST(Optimize_hex_mesh_never_worse, gives_perfect_cubes_back_bit_for_bit)
           }
         const Indexed_mesh input = mesh;
         const auto np = params::optimization_method(method);
-        const Status status = has_reference ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface_of(input), np)
-                                            : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
+        const Status status = has_reference
+                                ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface_of(input), np)
+                                : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
         EXPECT_TRUE(same_points(mesh.points, input.points));
         EXPECT_NEAR(status.after.minimum, 1, 1e-12);
         EXPECT_EQ(status.volume_after, status.volume_before);
@@ -553,7 +561,8 @@ TEST_P(Optimize_hex_mesh, keeps_within_a_bound_of_the_deviation)
         HMO::jitter_boundary(mesh.points, mesh.hexahedra, seed, .2);
         const Indexed_mesh input = mesh;
         const double bound = edges * intact.mean_edge_length();
-        const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface, params::maximum_deviation(bound));
+        const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface,
+                                                      params::maximum_deviation(bound));
         expect_honest(input, mesh, status);
         expect_never_worse(status);
         EXPECT_TRUE(status.valid_mesh());
@@ -572,7 +581,8 @@ TEST(Optimize_hex_mesh_deviation, is_larger_without_a_bound)
   Indexed_mesh free = intact, bounded = intact;
   const Status without = CGAL::optimize_hex_mesh(free.points, free.hexahedra, surface);
   const double bound = .75 * without.deviation.maximum;
-  const Status with = CGAL::optimize_hex_mesh(bounded.points, bounded.hexahedra, surface, params::maximum_deviation(bound));
+  const Status with = CGAL::optimize_hex_mesh(bounded.points, bounded.hexahedra, surface,
+                                              params::maximum_deviation(bound));
   EXPECT_GT(bound, 0);
   EXPECT_LE(with.deviation.maximum, with.deviation.certified);
   EXPECT_LE(with.deviation.certified, bound);
@@ -592,7 +602,8 @@ TEST_P(Optimize_hex_mesh, admits_to_have_missed_a_bound_of_the_deviation)
     HMO::jitter_boundary(mesh.points, mesh.hexahedra, 4, .2);
     const Indexed_mesh input = mesh;
     const double bound = edges * mesh.mean_edge_length();
-    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface, params::maximum_deviation(bound));
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface,
+                                                  params::maximum_deviation(bound));
     expect_honest(input, mesh, status);
     // angles do not protect what comes in off its reference
     EXPECT_LE(status.after.number_of_inverted, status.before.number_of_inverted);
@@ -831,8 +842,8 @@ void expect_locked(const Point& from, const Point& to, bool is_locked)
     const Status fixed = optimize(within, params::fixed_boundary(true).optimization_method(method));
     expect_honest(mesh, within, fixed);
     EXPECT_EQ(fixed.locked_hexahedra, is_locked ? around : std::vector<std::size_t>());
-    EXPECT_TRUE(std::includes(fixed.invalid_hexahedra.begin(), fixed.invalid_hexahedra.end(), fixed.locked_hexahedra.begin(),
-                              fixed.locked_hexahedra.end()));
+    EXPECT_TRUE(std::includes(fixed.invalid_hexahedra.begin(), fixed.invalid_hexahedra.end(),
+                              fixed.locked_hexahedra.begin(), fixed.locked_hexahedra.end()));
     const Status movable = optimize(free, params::optimization_method(method));
     expect_honest(mesh, free, movable);
     EXPECT_TRUE(movable.locked_hexahedra.empty());

@@ -64,7 +64,8 @@ Points points_as(const Indexed_mesh& mesh)
 }
 
 // Short runs suffice to tell results apart
-const auto quick = params::number_of_iterations(4).number_of_restarts(1).optimization_method(HMO::Method::RECTIFICATION);
+const auto quick = params::number_of_iterations(4).number_of_restarts(1).optimization_method(
+  HMO::Method::RECTIFICATION);
 
 // --- References ----------------------------------------------------------------------
 
@@ -81,8 +82,10 @@ CGAL::Surface_mesh<typename Kernel::Point_3> surface_mesh()
   using Surface = CGAL::Surface_mesh<typename Kernel::Point_3>;
   using Vertex = typename Surface::Vertex_index;
   Surface surface;
-  for_boundary(reference_solid(), [&](const Indexed_mesh::Point& p) { return surface.add_vertex(typename Kernel::Point_3(p.x(), p.y(), p.z())); },
-               [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
+  for_boundary(
+    reference_solid(),
+    [&](const Indexed_mesh::Point& p) { return surface.add_vertex(typename Kernel::Point_3(p.x(), p.y(), p.z())); },
+    [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
   return surface;
 }
 
@@ -97,17 +100,18 @@ CGAL::Polyhedron_3<Kernel> polyhedron()
       CGAL::Polyhedron_incremental_builder_3<typename Polyhedron::HalfedgeDS> builder(hds, true);
       builder.begin_surface(200, 400);
       std::size_t count = 0;
-      for_boundary(reference_solid(),
-                   [&](const Indexed_mesh::Point& p) {
-                     builder.add_vertex(typename Kernel::Point_3(p.x(), p.y(), p.z()));
-                     return count++;
-                   },
-                   [&](std::size_t a, std::size_t b, std::size_t c) {
-                     builder.begin_facet();
-                     for (std::size_t v : {a, b, c})
-                       builder.add_vertex_to_facet(v);
-                     builder.end_facet();
-                   });
+      for_boundary(
+        reference_solid(),
+        [&](const Indexed_mesh::Point& p) {
+          builder.add_vertex(typename Kernel::Point_3(p.x(), p.y(), p.z()));
+          return count++;
+        },
+        [&](std::size_t a, std::size_t b, std::size_t c) {
+          builder.begin_facet();
+          for (std::size_t v : {a, b, c})
+            builder.add_vertex_to_facet(v);
+          builder.end_facet();
+        });
       builder.end_surface();
     }
   } builder;
@@ -269,9 +273,10 @@ protected:
 
 using Complexes = ::testing::Types<Cmap<Min_items>, Gmap<Min_items>, Cmap<Rich_items, Simple>, Gmap<Rich_items, Simple>
 #if CGAL_VERSION_NR >= 1050600000
-  , Cmap<Index_items>, Gmap<Index_items>
+                                   ,
+                                   Cmap<Index_items>, Gmap<Index_items>
 #endif
-  >;
+                                   >;
 TYPED_TEST_SUITE(Overloads_for_linear_cell_complex, Complexes);
 
 TYPED_TEST(Overloads_for_linear_cell_complex, without_reference)
@@ -379,7 +384,8 @@ TEST(Overloads, with_given_feature_edges)
 
   // CGAL's own kind of map; no features at all
   auto mutable_surface = surface;
-  const auto none = mutable_surface.add_property_map<CGAL::Surface_mesh<Simple::Point_3>::Edge_index, bool>("e:none", false).first;
+  const auto none =
+    mutable_surface.add_property_map<CGAL::Surface_mesh<Simple::Point_3>::Edge_index, bool>("e:none", false).first;
   EXPECT_NE(optimized(mutable_surface, quick.edge_is_constrained_map(none)), expected_with_reference());
 }
 
@@ -425,17 +431,18 @@ TEST(Overloads, with_parameters_in_any_order)
 
 TEST(Overloads, with_every_parameter_at_its_default)
 {
-  const Coordinates chained = optimized(surface_mesh<Simple>(), params::fixed_boundary(false)
-                                                                  .optimization_method(HMO::Method::FULL)
-                                                                  .target_edge_lengths(HMO::Target_edge_lengths::ESTIMATED)
-                                                                  .edge_length_update(HMO::Edge_length_update::FULL)
-                                                                  .number_of_iterations(20)
-                                                                  .number_of_restarts(2)
-                                                                  .regularization_weight(1.)
-                                                                  .cone_angle_bound(85.)
-                                                                  .maximize_minimum_quality(true)
-                                                                  .features_angle_bound(45.)
-                                                                  .visitor(HMO::Default_visitor()));
+  const Coordinates chained = optimized(surface_mesh<Simple>(),
+                                        params::fixed_boundary(false)
+                                          .optimization_method(HMO::Method::FULL)
+                                          .target_edge_lengths(HMO::Target_edge_lengths::ESTIMATED)
+                                          .edge_length_update(HMO::Edge_length_update::FULL)
+                                          .number_of_iterations(20)
+                                          .number_of_restarts(2)
+                                          .regularization_weight(1.)
+                                          .cone_angle_bound(85.)
+                                          .maximize_minimum_quality(true)
+                                          .features_angle_bound(45.)
+                                          .visitor(HMO::Default_visitor()));
   EXPECT_EQ(chained, optimized(surface_mesh<Simple>(), params::default_values()));
 }
 
@@ -446,7 +453,8 @@ TEST(Overloads, with_every_concurrency_tag)
   Indexed_mesh sequential = tangled_mesh(), parallel = sequential, with_reference = sequential;
   CGAL::optimize_hex_mesh<CGAL::Sequential_tag>(sequential.points, sequential.hexahedra, quick);
   CGAL::optimize_hex_mesh<CGAL::Parallel_if_available_tag>(parallel.points, parallel.hexahedra, quick);
-  CGAL::optimize_hex_mesh<CGAL::Parallel_if_available_tag>(with_reference.points, with_reference.hexahedra, surface, quick);
+  CGAL::optimize_hex_mesh<CGAL::Parallel_if_available_tag>(with_reference.points, with_reference.hexahedra, surface,
+                                                           quick);
   EXPECT_EQ(coordinates(sequential.points), expected());
   EXPECT_EQ(coordinates(parallel.points), expected());
   EXPECT_EQ(coordinates(with_reference.points), expected_with_reference());

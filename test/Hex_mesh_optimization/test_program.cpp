@@ -56,7 +56,8 @@ protected:
   // The exit code of a shell command, in which $PROGRAM is the program.
   int shell(const std::string& command)
   {
-    const std::string line = "cd '" + folder.string() + "' && PROGRAM='" OPTIMIZE_HEX_MESH "' && { " + command + "; } >stdout 2>stderr";
+    const std::string line = "cd '" + folder.string() + "' && PROGRAM='" OPTIMIZE_HEX_MESH "' && { " + command +
+                             "; } >stdout 2>stderr";
     const int status = std::system(line.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -108,10 +109,7 @@ protected:
   fs::path folder;
 };
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_F(Program, repairs_a_tangled_mesh_and_prints_a_table)
 {
@@ -125,9 +123,10 @@ TEST_F(Program, repairs_a_tangled_mesh_and_prints_a_table)
   EXPECT_EQ(HMO::quality_statistics(output.points, output.hexahedra).number_of_invalid, 0u);
 
   const std::string table = text("stdout");
-  for (const char* title : {"before", "after", "inverted", "invalid", "minimum", "mean", "standard deviation", "edge ratio",
-                            "volume", "average deviation", "maximum deviation", "seconds", "of rectification", "of untangling", "of maximization",
-                            "Stopped after", "The mesh is valid."})
+  for (const char* title :
+       {"before", "after", "inverted", "invalid", "minimum", "mean", "standard deviation", "edge ratio", "volume",
+        "average deviation", "maximum deviation", "seconds", "of rectification", "of untangling", "of maximization",
+        "Stopped after", "The mesh is valid."})
     EXPECT_TRUE(contains(table, title)) << title << " in\n" << table;
   EXPECT_EQ(text("stderr"), "") << "progress is for terminals";
 }
@@ -210,7 +209,8 @@ TEST_F(Program, tells_that_a_bound_of_the_deviation_is_not_met)
   write("in.mesh", mesh);
   write("cube.off", "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
                     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
-  EXPECT_EQ(run("in.mesh out.mesh --reference cube.off --fixed-boundary --max-deviation 1e-3 --json out.json"), 1) << text("stderr");
+  EXPECT_EQ(run("in.mesh out.mesh --reference cube.off --fixed-boundary --max-deviation 1e-3 --json out.json"), 1)
+    << text("stderr");
   EXPECT_TRUE(exists("out.mesh"));
   EXPECT_TRUE(contains(text("stdout"), "THE BOUND OF THE DEVIATION IS NOT MET"));
   EXPECT_TRUE(contains(text("stdout"), "the bound of the deviation could not be met"));
@@ -245,15 +245,19 @@ TEST_F(Program, says_how_many_hexahedra_are_at_their_limit)
     EXPECT_EQ(l["is_reached"], double(l["scaled_jacobian"]) >= double(l["largest_scaled_jacobian"]) - .01);
     reached += bool(l["is_reached"]);
   }
-  EXPECT_EQ(contains(text("stdout"), std::to_string(reached) + " hexahedra are at the limit that the connectivity sets"), reached > 0);
-  EXPECT_EQ(contains(text("stdout"), "have a limit below 1 from the connectivity and are below it"), limits.size() > reached);
+  EXPECT_EQ(contains(text("stdout"),
+                     std::to_string(reached) + " hexahedra are at the limit that the connectivity sets"),
+            reached > 0);
+  EXPECT_EQ(contains(text("stdout"), "have a limit below 1 from the connectivity and are below it"),
+            limits.size() > reached);
 }
 
 TEST_F(Program, refuses_a_reference_in_another_unit_of_length)
 {
   write("in.mesh", tangled_block());
-  write("cube.off", "OFF\n8 6 0\n0 0 0\n1000 0 0\n1000 1000 0\n0 1000 0\n0 0 1000\n1000 0 1000\n1000 1000 1000\n0 1000 1000\n"
-                    "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  write("cube.off",
+        "OFF\n8 6 0\n0 0 0\n1000 0 0\n1000 1000 0\n0 1000 0\n0 0 1000\n1000 0 1000\n1000 1000 1000\n0 1000 1000\n"
+        "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   EXPECT_EQ(run("in.mesh out.mesh --reference cube.off"), 3);
   EXPECT_TRUE(contains(text("stderr"), "times as large as the mesh")) << text("stderr");
   EXPECT_FALSE(exists("out.mesh"));
@@ -264,8 +268,9 @@ TEST_F(Program, refuses_wrong_usage)
   write("in.mesh", tangled_block());
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(run("in.mesh"), 2);
-  for (const char* option : {"--unknown", "superfluous", "--threads 0", "--threads -1", "--method other", "--iterations -1",
-                             "--features-angle 200", "--features-angle x", "--time-limit -1", "--target-quality nan", "--json"}) {
+  for (const char* option :
+       {"--unknown", "superfluous", "--threads 0", "--threads -1", "--method other", "--iterations -1",
+        "--features-angle 200", "--features-angle x", "--time-limit -1", "--target-quality nan", "--json"}) {
     EXPECT_EQ(run(std::string("in.mesh out.mesh ") + option), 2) << option;
     EXPECT_NE(text("stderr"), "") << option;
   }
@@ -288,10 +293,10 @@ TEST_F(Program, writes_nothing_when_a_file_is_unusable)
   fs::create_directory(folder / "folder.mesh");
   for (const char* arguments :
        {"missing.mesh out.mesh", "garbage.mesh out.mesh", "repeated_vertex.mesh out.mesh", "no_hexahedra.mesh out.mesh",
-        "in.mesh out.unknown", "in.mesh missing/out.mesh", "in.mesh folder.mesh", "in.mesh out.mesh --reference missing.off",
-        "in.mesh out.mesh --reference garbage.mesh", "in.mesh out.mesh --frozen missing.txt",
-        "in.mesh out.mesh --frozen frozen_out_of_range.txt", "in.mesh out.mesh --frozen frozen_garbage.txt",
-        "in.mesh out.mesh --json missing/out.json"}) {
+        "in.mesh out.unknown", "in.mesh missing/out.mesh", "in.mesh folder.mesh",
+        "in.mesh out.mesh --reference missing.off", "in.mesh out.mesh --reference garbage.mesh",
+        "in.mesh out.mesh --frozen missing.txt", "in.mesh out.mesh --frozen frozen_out_of_range.txt",
+        "in.mesh out.mesh --frozen frozen_garbage.txt", "in.mesh out.mesh --json missing/out.json"}) {
     EXPECT_EQ(run(arguments), 3) << arguments;
     EXPECT_TRUE(contains(text("stderr"), "error: ")) << arguments;
     EXPECT_EQ(text("stdout"), "") << arguments;

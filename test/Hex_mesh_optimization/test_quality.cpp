@@ -50,8 +50,7 @@ static Hexahedron random_hexahedron(std::mt19937& generator, double noise)
 {
   std::uniform_real_distribution<double> uniform(-noise, noise);
   Hexahedron h;
-  for (int i = 0; i < 8; ++i)
-  {
+  for (int i = 0; i < 8; ++i) {
     const double x = uniform(generator), y = uniform(generator), z = uniform(generator);
     h[i] = Point(unit_corners[i][0] + x, unit_corners[i][1] + y, unit_corners[i][2] + z);
   }
@@ -73,8 +72,7 @@ static double naive_scaled_jacobian(const Hexahedron& h)
   static const int neighbors[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                       {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
   double result = 2;
-  for (int i = 0; i < 8; ++i)
-  {
+  for (int i = 0; i < 8; ++i) {
     const Vector a = h[neighbors[i][0]] - h[i], b = h[neighbors[i][1]] - h[i], c = h[neighbors[i][2]] - h[i];
     const double length = std::sqrt(a.squared_length() * b.squared_length() * c.squared_length());
     result = (std::min)(result, CGAL::determinant(a, b, c) / length);
@@ -93,8 +91,7 @@ static double naive_center(const Hexahedron& h)
 TEST(Scaled_jacobian, of_boxes_is_exactly_one)
 {
   for (const Hexahedron& h : {box(1, 1, 1), box(2, 3, 5), box(1e-3, 1, 1e6), box(1e-150, 1e-150, 1e-150),
-                              box(1e150, 1e150, 1e150), box(1e-150, 1, 1e150)})
-  {
+                              box(1e150, 1e150, 1e150), box(1e-150, 1, 1e150)}) {
     EXPECT_EQ(HMO::scaled_jacobian(h), 1);
     EXPECT_EQ(HMO::scaled_jacobian_with_center(h), 1);
   }
@@ -102,10 +99,9 @@ TEST(Scaled_jacobian, of_boxes_is_exactly_one)
 
 TEST(Scaled_jacobian, of_sheared_boxes)
 {
-  for (double shear : {.1, .5, 1., 3., -2.})
-  {
-    const Hexahedron h = mapped(box(1, 1, 1), [=](const Point& p)
-                                { return Point(p.x() + shear * p.z(), p.y(), p.z()); });
+  for (double shear : {.1, .5, 1., 3., -2.}) {
+    const Hexahedron h = mapped(box(1, 1, 1),
+                                [=](const Point& p) { return Point(p.x() + shear * p.z(), p.y(), p.z()); });
     EXPECT_NEAR(HMO::scaled_jacobian(h), 1 / std::sqrt(1 + shear * shear), 1e-15);
     EXPECT_NEAR(HMO::scaled_jacobian_with_center(h), 1 / std::sqrt(1 + shear * shear), 1e-15);
   }
@@ -114,16 +110,16 @@ TEST(Scaled_jacobian, of_sheared_boxes)
 TEST(Scaled_jacobian, of_a_prism_over_a_rhombus_is_the_sine_of_its_angle)
 {
   const double angle = 2 * std::acos(0.) * 2 / 3; // 120 degrees
-  const Hexahedron h = mapped(box(1, 1, 1), [=](const Point& p)
-                              { return Point(p.x() + std::cos(angle) * p.y(), std::sin(angle) * p.y(), p.z()); });
+  const Hexahedron h = mapped(box(1, 1, 1), [=](const Point& p) {
+    return Point(p.x() + std::cos(angle) * p.y(), std::sin(angle) * p.y(), p.z());
+  });
   EXPECT_NEAR(HMO::scaled_jacobian(h), std::sqrt(3.) / 2, 1e-15);
 }
 
 TEST(Scaled_jacobian, agrees_with_the_definition)
 {
   std::mt19937 generator(1);
-  for (int n = 0; n < 2000; ++n)
-  {
+  for (int n = 0; n < 2000; ++n) {
     const Hexahedron h = random_hexahedron(generator, .7);
     EXPECT_NEAR(HMO::scaled_jacobian(h), naive_scaled_jacobian(h), 1e-13);
     EXPECT_NEAR(HMO::scaled_jacobian_with_center(h), (std::min)(naive_scaled_jacobian(h), naive_center(h)), 1e-13);
@@ -137,13 +133,11 @@ static Hexahedron turned_hexahedron()
 {
   const double degree = std::acos(0.) / 90;
   Hexahedron h;
-  for (int i = 0; i < 8; ++i)
-  {
+  for (int i = 0; i < 8; ++i) {
     const double s = unit_corners[i][1] - .5, t = unit_corners[i][2] - .5;
-    h[i] = unit_corners[i][0] == 0
-             ? Point(0, s, t)
-             : Point(4, s * std::cos(170 * degree) + t * std::cos(280 * degree),
-                     s * std::sin(170 * degree) + t * std::sin(280 * degree));
+    h[i] = unit_corners[i][0] == 0 ? Point(0, s, t)
+                                   : Point(4, s * std::cos(170 * degree) + t * std::cos(280 * degree),
+                                           s * std::sin(170 * degree) + t * std::sin(280 * degree));
   }
   return h;
 }
@@ -158,15 +152,13 @@ TEST(Scaled_jacobian, with_center_is_the_smaller_one_of_a_turned_hexahedron)
 TEST(Scaled_jacobian, does_not_change_with_unit_position_and_direction)
 {
   std::mt19937 generator(3);
-  for (int n = 0; n < 200; ++n)
-  {
+  for (int n = 0; n < 200; ++n) {
     const Hexahedron h = random_hexahedron(generator, .4);
     const double quality = HMO::scaled_jacobian(h), with_center = HMO::scaled_jacobian_with_center(h);
     const double ratio = HMO::edge_ratio(h);
-    for (double scale : {1e-150, 1e-100, 1e-6, 1e-3, 1e3, 1e6, 1e100, 1e150})
-    {
-      const Hexahedron g = mapped(h, [=](const Point& p)
-                                  { return Point(scale * p.x(), scale * p.y(), scale * p.z()); });
+    for (double scale : {1e-150, 1e-100, 1e-6, 1e-3, 1e3, 1e6, 1e100, 1e150}) {
+      const Hexahedron g = mapped(h,
+                                  [=](const Point& p) { return Point(scale * p.x(), scale * p.y(), scale * p.z()); });
       EXPECT_NEAR(HMO::scaled_jacobian(g), quality, 1e-13);
       EXPECT_NEAR(HMO::scaled_jacobian_with_center(g), with_center, 1e-13);
       EXPECT_NEAR(HMO::edge_ratio(g), ratio, 1e-12 * ratio);
@@ -182,11 +174,9 @@ TEST(Scaled_jacobian, does_not_change_with_the_numbering)
 {
   ASSERT_EQ(numberings(1).size(), 24u);
   std::mt19937 generator(4);
-  for (int n = 0; n < 100; ++n)
-  {
+  for (int n = 0; n < 100; ++n) {
     const Hexahedron h = random_hexahedron(generator, .5);
-    for (const std::array<int, 8>& numbering : numberings(1))
-    {
+    for (const std::array<int, 8>& numbering : numberings(1)) {
       Hexahedron g;
       for (int i = 0; i < 8; ++i)
         g[i] = h[numbering[i]];
@@ -200,8 +190,7 @@ TEST(Scaled_jacobian, does_not_change_with_the_numbering)
 TEST(Scaled_jacobian, is_negative_for_mirrored_numberings)
 {
   const Hexahedron h = box(1, 2, 3);
-  for (const std::array<int, 8>& numbering : numberings(-1))
-  {
+  for (const std::array<int, 8>& numbering : numberings(-1)) {
     Hexahedron g;
     for (int i = 0; i < 8; ++i)
       g[i] = h[numbering[i]];
@@ -231,8 +220,7 @@ TEST(Scaled_jacobian, of_degenerate_hexahedra)
   EXPECT_EQ(HMO::edge_ratio(point), infinity);
 
   for (double wrong : {nan_value, infinity, -infinity})
-    for (int i = 0; i < 8; ++i)
-    {
+    for (int i = 0; i < 8; ++i) {
       Hexahedron h = box(1, 1, 1);
       h[i] = Point(h[i].x(), wrong, h[i].z());
       EXPECT_EQ(HMO::scaled_jacobian(h), -1);
@@ -369,9 +357,9 @@ TEST(Statistics, of_an_empty_mesh_are_zero)
 TEST(Histogram, has_half_open_bins_and_includes_the_ends)
 {
   Mesh mesh;
-  mesh.add(box(1, 1, 1));                                                                              // 1
-  mesh.add(mapped(box(1, 1, 1), [](const Point& p) { return Point(p.x(), p.y(), -p.z()); }));          // -1
-  mesh.add(mapped(box(1, 1, 1), [](const Point& p) { return Point(p.x() + 2 * p.z(), p.y(), 0); }));   // 0
+  mesh.add(box(1, 1, 1));                                                                                  // 1
+  mesh.add(mapped(box(1, 1, 1), [](const Point& p) { return Point(p.x(), p.y(), -p.z()); }));              // -1
+  mesh.add(mapped(box(1, 1, 1), [](const Point& p) { return Point(p.x() + 2 * p.z(), p.y(), 0); }));       // 0
   mesh.add(mapped(box(1, 1, 1), [](const Point& p) { return Point(p.x() + .75 * p.z(), p.y(), p.z()); })); // .8
   EXPECT_EQ(HMO::quality_histogram(mesh.points, mesh.hexahedra, 1), (std::vector<std::size_t>{4}));
   EXPECT_EQ(HMO::quality_histogram(mesh.points, mesh.hexahedra, 2), (std::vector<std::size_t>{1, 3}));
@@ -385,8 +373,7 @@ TEST(Histogram, counts_every_hexahedron_once)
   Mesh mesh;
   for (int n = 0; n < 500; ++n)
     mesh.add(random_hexahedron(generator, .6));
-  for (std::size_t bins : {1, 7, 20, 1000})
-  {
+  for (std::size_t bins : {1, 7, 20, 1000}) {
     const std::vector<std::size_t> histogram = HMO::quality_histogram(mesh.points, mesh.hexahedra, bins);
     ASSERT_EQ(histogram.size(), bins);
     EXPECT_EQ(std::accumulate(histogram.begin(), histogram.end(), std::size_t(0)), 500u);

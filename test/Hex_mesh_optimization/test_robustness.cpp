@@ -36,11 +36,15 @@ struct Corruption
 std::ostream& operator<<(std::ostream& os, const Corruption& corruption) { return os << corruption.name; }
 
 const Corruption corruptions[] = {
-  {"scrambled", [](Indexed_mesh& m, std::uint64_t seed) { HMO::scramble_interior(m.points, m.hexahedra, seed); }, false},
-  {"rotated", [](Indexed_mesh& m, std::uint64_t seed) { HMO::rotate_hexahedra(m.points, m.hexahedra, seed, .3); }, false},
-  {"jittered", [](Indexed_mesh& m, std::uint64_t seed) { HMO::jitter_boundary(m.points, m.hexahedra, seed, .2); }, true}};
+  {"scrambled", [](Indexed_mesh& m, std::uint64_t seed) { HMO::scramble_interior(m.points, m.hexahedra, seed); },
+   false},
+  {"rotated", [](Indexed_mesh& m, std::uint64_t seed) { HMO::rotate_hexahedra(m.points, m.hexahedra, seed, .3); },
+   false},
+  {"jittered", [](Indexed_mesh& m, std::uint64_t seed) { HMO::jitter_boundary(m.points, m.hexahedra, seed, .2); },
+   true}};
 
-class Robustness : public ::testing::TestWithParam<std::tuple<Mesh_family, Corruption>> {};
+class Robustness : public ::testing::TestWithParam<std::tuple<Mesh_family, Corruption>>
+{};
 
 std::string case_name(const ::testing::TestParamInfo<std::tuple<Mesh_family, Corruption>>& info)
 {
@@ -48,7 +52,8 @@ std::string case_name(const ::testing::TestParamInfo<std::tuple<Mesh_family, Cor
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Robustness,
-                         ::testing::Combine(::testing::ValuesIn(mesh_families()), ::testing::ValuesIn(corruptions)), case_name);
+                         ::testing::Combine(::testing::ValuesIn(mesh_families()), ::testing::ValuesIn(corruptions)),
+                         case_name);
 
 TEST_P(Robustness, the_quality_of_the_intact_mesh_is_recovered)
 {
@@ -57,8 +62,9 @@ TEST_P(Robustness, the_quality_of_the_intact_mesh_is_recovered)
   Indexed_mesh intact = std::get<0>(GetParam())();
   Surface_mesh surface;
   using Vertex = Surface_mesh::Vertex_index;
-  for_boundary(intact, [&](const Point& p) { return surface.add_vertex(p); },
-               [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
+  for_boundary(
+    intact, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
   const auto optimize = [&](Indexed_mesh& mesh) {
     return corruption.moves_boundary ? CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface)
                                      : CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra);
@@ -72,7 +78,8 @@ TEST_P(Robustness, the_quality_of_the_intact_mesh_is_recovered)
     corruption.apply(mesh, seed);
     const Status status = optimize(mesh);
     EXPECT_TRUE(status.valid_mesh()) << status.after.number_of_invalid << " invalid, of which inverted "
-                                     << status.after.number_of_inverted << "; before " << status.before.number_of_inverted;
+                                     << status.after.number_of_inverted << "; before "
+                                     << status.before.number_of_inverted;
     EXPECT_GE(status.after.minimum, expected.after.minimum - lost_minimum);
     EXPECT_GE(status.after.average, expected.after.average - lost_average);
   }

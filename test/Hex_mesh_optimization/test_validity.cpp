@@ -56,14 +56,11 @@ static NT jacobian(const std::array<std::array<NT, 3>, 8>& x, const std::array<N
 {
   NT m[3][3];
   for (int direction = 0; direction < 3; ++direction)
-    for (int coordinate = 0; coordinate < 3; ++coordinate)
-    {
+    for (int coordinate = 0; coordinate < 3; ++coordinate) {
       NT sum(0);
-      for (int c = 0; c < 8; ++c)
-      {
+      for (int c = 0; c < 8; ++c) {
         NT weight(1);
-        for (int d = 0; d < 3; ++d)
-        {
+        for (int d = 0; d < 3; ++d) {
           if (d == direction)
             weight = weight * NT(unit_corners[c][d] == 1 ? 1 : -1);
           else
@@ -107,27 +104,23 @@ static std::vector<Integers> families()
   std::vector<Integers> result;
   for (int n = 0; n < 600; ++n)
     result.push_back(random_integers(generator, 100, 20 + n % 130));
-  for (int n = 0; n < 300; ++n)
-  {
+  for (int n = 0; n < 300; ++n) {
     Integers h = random_integers(generator, 100, 40);
     for (int i = 0; i < 8; ++i)
       h[i][2] = unit_corners[i][2] * (1 + n % 3) + h[i][2] % (2 + n % 4);
     result.push_back(h);
   }
-  for (int n = 0; n < 300; ++n)
-  {
+  for (int n = 0; n < 300; ++n) {
     Integers h = random_integers(generator, 100, 10);
     const double angle = .0105 * n;
-    for (int i : {1, 2, 5, 6})
-    {
+    for (int i : {1, 2, 5, 6}) {
       const double y = double(h[i][1]), z = double(h[i][2]);
       h[i][1] = std::llround(std::cos(angle) * y - std::sin(angle) * z);
       h[i][2] = std::llround(std::sin(angle) * y + std::cos(angle) * z);
     }
     result.push_back(h);
   }
-  for (int n = 0; n < 100; ++n)
-  {
+  for (int n = 0; n < 100; ++n) {
     Integers h = random_integers(generator, 100, 30);
     h[corner(generator)] = h[corner(generator)];
     result.push_back(h);
@@ -143,8 +136,7 @@ TEST(Bezier_coefficients, agree_with_the_determinant)
 {
   std::mt19937 generator(2);
   std::uniform_int_distribution<int> parameter(-10, 20);
-  for (int n = 0; n < 20; ++n)
-  {
+  for (int n = 0; n < 20; ++n) {
     std::array<internal::Coordinates<Rational>, 8> x;
     const Integers h = random_integers(generator, 50, 100);
     for (int i = 0; i < 8; ++i)
@@ -152,11 +144,10 @@ TEST(Bezier_coefficients, agree_with_the_determinant)
     const auto b = internal::jacobian_coefficients(internal::Edge_vectors<Rational>(x));
     const auto cells = internal::split(b);
 
-    auto polynomial = [](const internal::Bezier_coefficients<Rational>& coefficients, const std::array<Rational, 3>& u)
-    {
+    auto polynomial = [](const internal::Bezier_coefficients<Rational>& coefficients,
+                         const std::array<Rational, 3>& u) {
       Rational sum = 0, bernstein[3][3];
-      for (int d = 0; d < 3; ++d)
-      {
+      for (int d = 0; d < 3; ++d) {
         bernstein[d][0] = (1 - u[d]) * (1 - u[d]);
         bernstein[d][1] = 2 * (1 - u[d]) * u[d];
         bernstein[d][2] = u[d] * u[d];
@@ -166,15 +157,14 @@ TEST(Bezier_coefficients, agree_with_the_determinant)
       return sum;
     };
 
-    for (int m = 0; m < 10; ++m)
-    {
-      const std::array<Rational, 3> u = {{Rational(parameter(generator)) / 7, Rational(parameter(generator)) / 11,
-                                          Rational(parameter(generator)) / 13}};
+    for (int m = 0; m < 10; ++m) {
+      const std::array<Rational, 3> u = {
+        {Rational(parameter(generator)) / 7, Rational(parameter(generator)) / 11, Rational(parameter(generator)) / 13}};
       const Rational expected = jacobian<Rational>(x, u, 1);
       EXPECT_EQ(polynomial(b, u), expected);
-      for (int cell = 0; cell < 8; ++cell)
-      {
-        const std::array<Rational, 3> local = {{2 * u[0] - (cell & 1), 2 * u[1] - (cell >> 1 & 1), 2 * u[2] - (cell >> 2)}};
+      for (int cell = 0; cell < 8; ++cell) {
+        const std::array<Rational, 3> local = {
+          {2 * u[0] - (cell & 1), 2 * u[1] - (cell >> 1 & 1), 2 * u[2] - (cell >> 2)}};
         EXPECT_EQ(polynomial(cells[cell], local), expected);
       }
     }
@@ -198,18 +188,15 @@ TEST(Validity, of_simple_hexahedra)
 TEST(Validity, agrees_with_dense_samples)
 {
   int valid = 0, invalid = 0;
-  for (const Integers& h : families())
-  {
+  for (const Integers& h : families()) {
     const Validity validity = certificate(h);
     const std::int64_t smallest = smallest_jacobian(h, 6);
     EXPECT_NE(validity, Validity::UNDECIDED);
-    if (validity == Validity::VALID)
-    {
+    if (validity == Validity::VALID) {
       ++valid;
       EXPECT_GT(smallest, 0);
     }
-    else
-    {
+    else {
       ++invalid;
       // the points that prove it are those of a lattice of a power of two
       EXPECT_TRUE(smallest <= 0 || smallest_jacobian(h, 32) <= 0);
@@ -229,8 +216,7 @@ static int sign_of_smallest_jacobian(const internal::Hexahedron_coordinates& h, 
   int result = 1;
   for (int u = 0; u <= n && result >= 0; ++u)
     for (int v = 0; v <= n; ++v)
-      for (int w = 0; w <= n; ++w)
-      {
+      for (int w = 0; w <= n; ++w) {
         const NT value = jacobian<NT>(x, {{NT(u), NT(v), NT(w)}}, NT(n));
         result = (std::min)(result, CGAL::is_positive(value) ? 1 : CGAL::is_zero(value) ? 0 : -1);
       }
@@ -245,14 +231,14 @@ static internal::Hexahedron_coordinates random_doubles(std::mt19937& generator, 
   const double angle = n / 8 % 4 == 2 ? 1.7 * uniform(generator) : 0;
   const double unit = n % 5 == 0 ? 1e150 : n % 5 == 1 ? 1e-150 : 1;
   internal::Hexahedron_coordinates x;
-  for (int i = 0; i < 8; ++i)
-  {
+  for (int i = 0; i < 8; ++i) {
     double p[3];
     for (int d = 0; d < 3; ++d)
       p[d] = unit_corners[i][d] - .5 + .5 * noise * uniform(generator);
     p[2] *= thin;
     const double a = p[0] > 0 ? angle : 0; // one side turned against the other
-    x[i] = {{unit * p[0], unit * (std::cos(a) * p[1] - std::sin(a) * p[2]), unit * (std::sin(a) * p[1] + std::cos(a) * p[2])}};
+    x[i] = {{unit * p[0], unit * (std::cos(a) * p[1] - std::sin(a) * p[2]),
+             unit * (std::sin(a) * p[1] + std::cos(a) * p[2])}};
   }
   if (n / 8 % 4 == 3)
     x[n % 8] = x[(n + 1) % 8];
@@ -263,19 +249,16 @@ TEST(Validity, agrees_with_exact_samples_of_any_doubles)
 {
   std::mt19937 generator(9);
   int valid = 0, invalid = 0;
-  for (int n = 0; n < 480; ++n)
-  {
+  for (int n = 0; n < 480; ++n) {
     const internal::Hexahedron_coordinates x = random_doubles(generator, n);
     const Validity validity = internal::hexahedron_validity(x);
     ASSERT_NE(validity, Validity::UNDECIDED) << n;
-    if (validity == Validity::VALID)
-    {
+    if (validity == Validity::VALID) {
       ++valid;
       EXPECT_EQ(sign_of_smallest_jacobian(x, 5), 1) << n;
       EXPECT_EQ(sign_of_smallest_jacobian(x, 8), 1) << n;
     }
-    else
-    {
+    else {
       ++invalid;
       EXPECT_TRUE(sign_of_smallest_jacobian(x, 4) <= 0 || sign_of_smallest_jacobian(x, 16) <= 0) << n;
     }
@@ -289,8 +272,7 @@ TEST(Validity, finds_hexahedra_invalid_between_positive_corners)
   std::mt19937 generator(3);
   int found = 0;
   double best = 0;
-  for (int n = 0; n < 20000; ++n)
-  {
+  for (int n = 0; n < 20000; ++n) {
     const Integers h = random_integers(generator, 100, 100);
     if (smallest_jacobian(h, 1) <= 0 || smallest_jacobian(h, 4) > 0)
       continue;
@@ -307,8 +289,7 @@ TEST(Validity, needs_the_subdivision_for_some)
 {
   std::mt19937 generator(4);
   int found = 0;
-  for (int n = 0; n < 20000; ++n)
-  {
+  for (int n = 0; n < 20000; ++n) {
     const Hexahedron h = with_coordinates(random_integers(generator, 100, 80));
     if (HMO::hexahedron_validity(h) != Validity::VALID || HMO::hexahedron_validity(h, 0) == Validity::VALID)
       continue;
@@ -321,8 +302,8 @@ TEST(Validity, needs_the_subdivision_for_some)
 // A hexahedron with a determinant of (1 + (a - 1) u) (1 + (b - 1) u).
 static Hexahedron with_roots(double a, double b)
 {
-  return {{Point(0, 0, 0), Point(1, 0, 0), Point(1, a, 0), Point(0, 1, 0),
-           Point(0, 0, 1), Point(1, 0, b), Point(1, a, b), Point(0, 1, 1)}};
+  return {{Point(0, 0, 0), Point(1, 0, 0), Point(1, a, 0), Point(0, 1, 0), Point(0, 0, 1), Point(1, 0, b),
+           Point(1, a, b), Point(0, 1, 1)}};
 }
 
 TEST(Validity, where_the_determinant_touches_zero)
@@ -352,8 +333,7 @@ TEST(Validity, of_generated_meshes_is_decided_soon)
 {
   std::size_t valid = 0, invalid = 0, subdivided = 0;
   for (const Mesh_family& family : mesh_families())
-    for (std::uint64_t seed = 0; seed < 20; ++seed)
-    {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
       Indexed_mesh mesh = family();
       if (seed % 4 == 1)
         HMO::scramble_interior(mesh.points, mesh.hexahedra, seed, .05 * double(seed));
@@ -361,8 +341,7 @@ TEST(Validity, of_generated_meshes_is_decided_soon)
         HMO::rotate_hexahedra(mesh.points, mesh.hexahedra, seed, .3);
       if (seed % 4 == 3)
         HMO::jitter_boundary(mesh.points, mesh.hexahedra, seed, .4);
-      for (const auto& hexahedron : mesh.hexahedra)
-      {
+      for (const auto& hexahedron : mesh.hexahedra) {
         const internal::Hexahedron_coordinates x = internal::hexahedron_coordinates(mesh.points, hexahedron);
         const Validity validity = internal::hexahedron_validity(x, internal::default_maximum_depth / 2);
         EXPECT_NE(validity, Validity::UNDECIDED);
@@ -379,8 +358,7 @@ TEST(Validity, decides_what_rounding_hides)
 {
   // The top is one unit in the last place above the bottom, or below.
   const double tiny = std::numeric_limits<double>::epsilon();
-  for (double sign : {1., 0., -1.})
-  {
+  for (double sign : {1., 0., -1.}) {
     Hexahedron h = box(1, 1, 1);
     for (int i = 4; i < 8; ++i)
       h[i] = Point(h[i].x() + .3, h[i].y() + .7, 1 + sign * tiny);
@@ -401,20 +379,17 @@ TEST(Validity, decides_what_rounding_hides)
 TEST(Validity, does_not_depend_on_the_numbering)
 {
   std::mt19937 generator(5);
-  for (int n = 0; n < 200; ++n)
-  {
+  for (int n = 0; n < 200; ++n) {
     const Hexahedron h = with_coordinates(random_integers(generator, 60, 10 + n % 60));
     const Validity validity = HMO::hexahedron_validity(h);
-    for (const std::array<int, 8>& numbering : numberings(1))
-    {
+    for (const std::array<int, 8>& numbering : numberings(1)) {
       Hexahedron g;
       for (int i = 0; i < 8; ++i)
         g[i] = h[numbering[i]];
       EXPECT_EQ(HMO::hexahedron_validity(g), validity);
     }
     if (validity == Validity::VALID)
-      for (const std::array<int, 8>& numbering : numberings(-1))
-      {
+      for (const std::array<int, 8>& numbering : numberings(-1)) {
         Hexahedron g;
         for (int i = 0; i < 8; ++i)
           g[i] = h[numbering[i]];
@@ -426,12 +401,10 @@ TEST(Validity, does_not_depend_on_the_numbering)
 TEST(Validity, does_not_depend_on_the_unit_of_any_axis)
 {
   std::mt19937 generator(6);
-  for (int n = 0; n < 100; ++n)
-  {
+  for (int n = 0; n < 100; ++n) {
     const Integers h = random_integers(generator, 60, 10 + n % 60);
     const Validity validity = certificate(h);
-    auto scaled = [&](double x, double y, double z)
-    {
+    auto scaled = [&](double x, double y, double z) {
       Hexahedron g;
       for (int i = 0; i < 8; ++i)
         g[i] = Point(x * double(h[i][0]), y * double(h[i][1]), z * double(h[i][2]));
@@ -443,8 +416,7 @@ TEST(Validity, does_not_depend_on_the_unit_of_any_axis)
     EXPECT_EQ(scaled(0x1p1014, 0x1p-1074, 0x1p-300), validity);
     EXPECT_EQ(scaled(1, 0x1p-40, 0x1p40), validity);
   }
-  for (double s : {1e-150, 1e150, 1e300})
-  {
+  for (double s : {1e-150, 1e150, 1e300}) {
     EXPECT_EQ(HMO::hexahedron_validity(box(s, s, s)), Validity::VALID);
     EXPECT_EQ(HMO::hexahedron_validity(box(s, s, -s)), Validity::INVALID);
   }
@@ -460,8 +432,7 @@ TEST(Validity, of_coordinates_that_are_not_finite)
   for (double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                        -std::numeric_limits<double>::infinity()})
     for (int i = 0; i < 8; ++i)
-      for (int d = 0; d < 3; ++d)
-      {
+      for (int d = 0; d < 3; ++d) {
         internal::Hexahedron_coordinates x = internal::hexahedron_coordinates(box(1, 1, 1));
         x[i][d] = wrong;
         EXPECT_EQ(internal::hexahedron_validity(x), Validity::INVALID);
@@ -474,8 +445,7 @@ TEST(Tiers, agree)
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int rounded_answers = 0, interval_answers = 0, total = 0;
-  for (int n = 0; n < 1500; ++n)
-  {
+  for (int n = 0; n < 1500; ++n) {
     // a map of rank 3 or 2, noise from large to the rounding of the coordinates
     double matrix[3][3];
     for (auto& row : matrix)
@@ -498,13 +468,11 @@ TEST(Tiers, agree)
     EXPECT_EQ(internal::exact_validity<CGAL::MP_Float>(x, 20), exact);
     EXPECT_EQ(internal::hexahedron_validity(x), exact);
     ++total;
-    if (const auto rounded = internal::rounded_validity(edges, scaling, 20))
-    {
+    if (const auto rounded = internal::rounded_validity(edges, scaling, 20)) {
       ++rounded_answers;
       EXPECT_EQ(*rounded, exact);
     }
-    if (const auto interval = internal::interval_validity(x, scaling, 20))
-    {
+    if (const auto interval = internal::interval_validity(x, scaling, 20)) {
       ++interval_answers;
       EXPECT_EQ(*interval, exact);
     }
@@ -521,8 +489,7 @@ TEST(Tiers, bound_of_the_rounding_error_holds)
   std::uniform_real_distribution<double> uniform(-1, 1);
   double largest = 0;
   for (int rounding : {CGAL_FE_TONEAREST, CGAL_FE_UPWARD, CGAL_FE_DOWNWARD, CGAL_FE_TOWARDZERO})
-    for (int n = 0; n < 100; ++n)
-    {
+    for (int n = 0; n < 100; ++n) {
       internal::Hexahedron_coordinates x;
       for (auto& p : x)
         for (double& c : p)
@@ -540,13 +507,13 @@ TEST(Tiers, bound_of_the_rounding_error_holds)
       }
       const auto exact = internal::jacobian_coefficients(internal::edge_vectors_of_type<Rational>(x));
       const auto exact_cells = internal::split(internal::split(exact)[3]);
-      for (int i = 0; i < 27; ++i)
-      {
+      for (int i = 0; i < 27; ++i) {
         const double error = std::abs(CGAL::to_double(exact[i] - Rational(rounded[i]))) / unit;
         largest = (std::max)(largest, error);
         EXPECT_LE(error, 134);
         for (int cell = 0; cell < 8; ++cell)
-          EXPECT_LE(std::abs(CGAL::to_double(exact_cells[cell][i] - Rational(rounded_cells[cell][i]))) / unit, 134 + 2 * 72);
+          EXPECT_LE(std::abs(CGAL::to_double(exact_cells[cell][i] - Rational(rounded_cells[cell][i]))) / unit,
+                    134 + 2 * 72);
       }
     }
   EXPECT_GT(largest, 1); // the bound is not of another magnitude
@@ -570,11 +537,10 @@ TEST(Invalid_hexahedra, are_listed_by_index)
 {
   std::vector<CGAL::Simple_cartesian<Rational>::Point_3> points;
   std::vector<std::array<unsigned, 8>> hexahedra;
-  for (const Hexahedron& h : {box(1, 1, 1), box(1, 1, -1), with_roots(1, 2), with_roots(-2, -2), with_roots(-1, -2), box(2, 2, 2)})
-  {
+  for (const Hexahedron& h :
+       {box(1, 1, 1), box(1, 1, -1), with_roots(1, 2), with_roots(-2, -2), with_roots(-1, -2), box(2, 2, 2)}) {
     hexahedra.emplace_back();
-    for (int i = 0; i < 8; ++i)
-    {
+    for (int i = 0; i < 8; ++i) {
       hexahedra.back()[i] = unsigned(points.size());
       points.emplace_back(h[i].x(), h[i].y(), h[i].z());
     }

@@ -9,23 +9,21 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  * Why the connectivity limits the quality of a hexahedron. Of several reasons with the same limit, the first one of
  * this list is named.
  */
-enum class Connectivity_limit_reason
-{
+enum class Connectivity_limit_reason {
   FLAT_EDGE,       ///< Two of its boundary faces meet at an edge within the smooth surface: limit 0.
   FLAT_CURVE,      ///< Two edges at one of its corners continue each other along a feature curve: limit 0.
   INTERIOR_EDGE,   ///< An interior edge has `n` hexahedra around it, not 4: limit sin(360°/`n`), and 0 for `n` < 3.
   INTERIOR_VERTEX, ///< An interior vertex has `n` hexahedra around it, not 8: the limit is that of `n` equal corners.
-  CURVE_VERTEX,    ///< A vertex on a feature curve has `n` > 2 boundary faces on one side of the curve: limit sin(180°/`n`).
-  SMOOTH_EDGE,     ///< A boundary edge within the smooth surface has `n` > 2 hexahedra: limit sin(180°/`n`).
-  SMOOTH_VERTEX    ///< A vertex on the smooth surface has `n` boundary faces, not 4: limit sin(360°/`n`), and 0 for `n` < 3.
+  CURVE_VERTEX, ///< A vertex on a feature curve has `n` > 2 boundary faces on one side of it: limit sin(180°/`n`).
+  SMOOTH_EDGE, ///< A boundary edge within the smooth surface has `n` > 2 hexahedra: limit sin(180°/`n`).
+  SMOOTH_VERTEX ///< A vertex on the smooth surface has `n` ≠ 4 boundary faces: limit sin(360°/`n`), and 0 for `n` < 3.
 };
 
 /*!
@@ -82,6 +80,6 @@ inline const char* description(Connectivity_limit_reason reason)
   return "";
 }
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_CONNECTIVITY_LIMIT_H

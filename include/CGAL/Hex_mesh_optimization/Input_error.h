@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * Thrown before anything is moved when a mesh, a reference surface or a
@@ -39,6 +38,6 @@ private:
   std::size_t index_;
 };
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H

@@ -9,8 +9,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -54,6 +53,6 @@ struct Quality_statistics
   double edge_ratio_99 = 0;
 };
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_QUALITY_STATISTICS_H

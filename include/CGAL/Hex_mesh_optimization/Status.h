@@ -15,8 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -30,8 +29,9 @@ struct Status
   Quality_statistics after;  ///< Of the mesh as it is now.
   Deviation deviation;       ///< Of the mesh as it is now.
 
-  double volume_before = 0; ///< Of all hexahedra of the mesh that came in, as trilinear maps; where they fold, with their signs.
-  double volume_after = 0;  ///< Of the mesh as it is now.
+  double volume_before =
+    0; ///< Of all hexahedra of the mesh that came in, as trilinear maps; where they fold, with their signs.
+  double volume_after = 0; ///< Of the mesh as it is now.
 
   double deviation_bound = std::numeric_limits<double>::infinity(); ///< `maximum_deviation` as it was given, a length.
 
@@ -49,11 +49,12 @@ struct Status
   std::vector<std::size_t> locked_hexahedra;
 
   /// The vertices that do not stand exactly where they are to stand, on a corner of the reference or, with
-  /// `Boundary_placement::ON_SURFACE`, on its curves and faces, in increasing order: hexahedra that have them would have been
-  /// ruined, or the run ended before they arrived.
+  /// `Boundary_placement::ON_SURFACE`, on its curves and faces, in increasing order: hexahedra that have them would
+  /// have been ruined, or the run ended before they arrived.
   std::vector<std::size_t> released_vertices;
 
-  /// The hexahedra that are no better than a limit that the connectivity sets, whether they reach it or not, in increasing order.
+  /// The hexahedra that are no better than a limit that the connectivity sets, whether they reach it or not, in
+  /// increasing order.
   std::vector<Connectivity_limit> connectivity_limits;
 
   /// The hexahedra were numbered inside out; they were taken with their bottom and top exchanged, and the statistics
@@ -63,11 +64,11 @@ struct Status
   /// `true` if the trilinear map of every hexahedron is certified to be valid (see `is_valid_hexahedron()`).
   bool valid_mesh() const { return invalid_hexahedra.empty(); }
 
-  /// `true` if the maximum deviation is certified to be at most `deviation_bound`, or if no bound was given. That the measured
-  /// maximum is below the bound is not enough.
+  /// `true` if the maximum deviation is certified to be at most `deviation_bound`, or if no bound was given. That the
+  /// measured maximum is below the bound is not enough.
   bool is_within_deviation_bound() const { return deviation.certified <= deviation_bound; }
 };
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_STATUS_H

@@ -10,8 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -20,8 +19,8 @@ namespace Hex_mesh_optimization {
 struct Iteration
 {
   Stage stage;
-  std::size_t iteration;          ///< Counted from 0 within the stage.
-  double energy;                  ///< Of the stage, after the iteration (eq. 25 of the paper for rectification); scale-free.
+  std::size_t iteration; ///< Counted from 0 within the stage.
+  double energy;         ///< Of the stage, after the iteration (eq. 25 of the paper for rectification); scale-free.
   std::size_t number_of_inverted; ///< Hexahedra with a corner of scaled Jacobian at most 0.
   double minimum;                 ///< Least scaled Jacobian over the hexahedra (8 corners).
   double average;                 ///< Mean of the scaled Jacobians of the hexahedra.
@@ -39,6 +38,6 @@ struct Default_visitor
   bool on_iteration(const Iteration&) { return true; }
 };
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_VISITOR_H

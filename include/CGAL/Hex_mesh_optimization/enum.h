@@ -7,26 +7,23 @@
 // The enumerations of the package: what a caller can choose, and the answers that
 // are one of a few words.
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  * How to optimize.
  */
-enum class Method
-{
+enum class Method {
   FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
   RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
-  MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for meshes that are nearly valid.
+  MAXIMIZATION ///< Quality maximization alone, after the removal of inverted hexahedra: for nearly valid meshes.
 };
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  * Where target edge lengths come from when no map gives them.
  */
-enum class Target_edge_lengths
-{
+enum class Target_edge_lengths {
   ESTIMATED, ///< From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper).
   INPUT      ///< The lengths in the input: for meshes that are graded on purpose and not tangled.
 };
@@ -35,8 +32,7 @@ enum class Target_edge_lengths
  * \ingroup PkgHexMeshOptimizationRef
  * Where the vertices of the boundary have to be.
  */
-enum class Boundary_placement
-{
+enum class Boundary_placement {
   WITHIN_TOLERANCE, ///< Off the reference where that buys quality, but no farther than is tolerated. Corners are exact.
   ON_SURFACE        ///< On the reference exactly, sliding in it, and along its feature curves; corners do not move.
 };
@@ -45,8 +41,7 @@ enum class Boundary_placement
  * \ingroup PkgHexMeshOptimizationRef
  * What becomes of the target edge lengths once the local-global iterations have settled.
  */
-enum class Edge_length_update
-{
+enum class Edge_length_update {
   NONE,      ///< They stay.
   SELECTIVE, ///< They move to the reached lengths where the quality is low (eq. 23 and 24 of the paper).
   FULL       ///< The reached lengths are the new targets (first option of Section 3.4 of the paper).
@@ -56,8 +51,7 @@ enum class Edge_length_update
  * \ingroup PkgHexMeshOptimizationRef
  * The parts an optimization consists of.
  */
-enum class Stage
-{
+enum class Stage {
   RECTIFICATION, ///< Edge-cone rectification: local and global steps in turn.
   UNTANGLING,    ///< Removal of the inverted hexahedra that are left.
   MAXIMIZATION   ///< Maximization of the worst and the average quality.
@@ -70,9 +64,12 @@ enum class Stage
 inline const char* name(Stage stage)
 {
   switch (stage) {
-  case Stage::RECTIFICATION: return "rectification";
-  case Stage::UNTANGLING: return "untangling";
-  case Stage::MAXIMIZATION: return "maximization";
+  case Stage::RECTIFICATION:
+    return "rectification";
+  case Stage::UNTANGLING:
+    return "untangling";
+  case Stage::MAXIMIZATION:
+    return "maximization";
   }
   return "";
 }
@@ -81,26 +78,24 @@ inline const char* name(Stage stage)
  * \ingroup PkgHexMeshOptimizationRef
  * Why an optimization stopped. None of these says that the mesh is valid: ask `Status::valid_mesh()`.
  */
-enum class Return_code
-{
-  CONVERGED,              ///< Further iterations would not improve the mesh: the last stage ended as nothing was gained any more.
-  TARGET_QUALITY_REACHED, ///< The minimum scaled Jacobian reached `target_quality`.
-  ITERATION_LIMIT,        ///< The number of iterations of the last stage was used up while the mesh still changed.
-  TIME_LIMIT,             ///< `maximum_running_time` was over.
-  STOPPED_BY_VISITOR,     ///< The visitor asked to stop.
+enum class Return_code {
+  CONVERGED, ///< Further iterations would not improve the mesh: the last stage ended as nothing was gained any more.
+  TARGET_QUALITY_REACHED,  ///< The minimum scaled Jacobian reached `target_quality`.
+  ITERATION_LIMIT,         ///< The number of iterations of the last stage was used up while the mesh still changed.
+  TIME_LIMIT,              ///< `maximum_running_time` was over.
+  STOPPED_BY_VISITOR,      ///< The visitor asked to stop.
   DEVIATION_BOUND_NOT_MET, ///< The boundary and the reference are not certified to be as close as `maximum_deviation`.
-  NO_IMPROVEMENT          ///< Nothing better than the input was found: all positions are as they were.
+  NO_IMPROVEMENT           ///< Nothing better than the input was found: all positions are as they were.
 };
 
 /// \ingroup PkgHexMeshOptimizationRef
 /// The answer of `hexahedron_validity()`.
-enum class Validity
-{
+enum class Validity {
   VALID,    ///< The Jacobian determinant is positive everywhere in the hexahedron: proven.
   INVALID,  ///< The Jacobian determinant is zero or negative somewhere: proven.
   UNDECIDED ///< Neither was proven within the limit on the subdivision.
 };
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_ENUM_H

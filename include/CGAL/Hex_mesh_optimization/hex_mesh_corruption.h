@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 namespace internal {
 
 // SplitMix64 (Steele, Lea, Flood 2014). The distributions are written out here
@@ -44,10 +43,7 @@ public:
   }
 
   // Uniform in {0, ..., n-1}, up to a bias of n / 2^53
-  std::size_t index(std::size_t n)
-  {
-    return static_cast<std::size_t>((*this)() * static_cast<double>(n));
-  }
+  std::size_t index(std::size_t n) { return static_cast<std::size_t>((*this)() * static_cast<double>(n)); }
 
   // Uniform in the unit ball
   std::array<double, 3> in_ball()
@@ -196,10 +192,7 @@ void scramble_interior(PointRange& points, const HexahedronRange& hexahedra, std
  * \param maximum_angle angles are uniform between 0 and this, in radians
  */
 template <class PointRange, class HexahedronRange>
-void rotate_hexahedra(PointRange& points,
-                      const HexahedronRange& hexahedra,
-                      std::uint64_t seed,
-                      double fraction,
+void rotate_hexahedra(PointRange& points, const HexahedronRange& hexahedra, std::uint64_t seed, double fraction,
                       double maximum_angle = 3.14159265358979323846)
 {
   using Point = typename PointRange::value_type;
@@ -252,10 +245,7 @@ void rotate_hexahedra(PointRange& points,
  * `features_angle` (in radians) is on a feature and stays.
  */
 template <class PointRange, class HexahedronRange>
-void jitter_boundary(PointRange& points,
-                     const HexahedronRange& hexahedra,
-                     std::uint64_t seed,
-                     double amplitude,
+void jitter_boundary(PointRange& points, const HexahedronRange& hexahedra, std::uint64_t seed, double amplitude,
                      double features_angle = .5)
 {
   using Point = typename PointRange::value_type;
@@ -305,10 +295,7 @@ void jitter_boundary(PointRange& points,
  * \throws Input_error if the mesh has no interior vertex
  */
 template <class PointRange, class HexahedronRange>
-std::size_t displace_vertex(PointRange& points,
-                            const HexahedronRange& hexahedra,
-                            std::uint64_t seed,
-                            double factor = 4)
+std::size_t displace_vertex(PointRange& points, const HexahedronRange& hexahedra, std::uint64_t seed, double factor = 4)
 {
   const internal::Hexahedral_complex complex = internal::hexahedral_complex(points.size(), hexahedra);
   const std::vector<std::size_t> interior = internal::interior_vertices(complex);
@@ -329,6 +316,6 @@ std::size_t displace_vertex(PointRange& points,
   return v;
 }
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_HEX_MESH_CORRUPTION_H

@@ -17,8 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 namespace internal {
 
 constexpr double pi = 3.14159265358979323846;
@@ -45,10 +44,8 @@ using Lattice_quad = std::array<Lattice_node, 4>;
 // Numbers the nodes in order of first use and places each with
 // `embedding(node)`, which returns three coordinates.
 template <class PointRange, class Embedding>
-void build_lattice_mesh(const std::vector<Lattice_hexahedron>& lattice_hexahedra,
-                        const Embedding& embedding,
-                        PointRange& points,
-                        std::vector<std::array<std::size_t, 8>>& hexahedra)
+void build_lattice_mesh(const std::vector<Lattice_hexahedron>& lattice_hexahedra, const Embedding& embedding,
+                        PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra)
 {
   using Point = typename PointRange::value_type;
 
@@ -81,8 +78,7 @@ inline void check_generator_parameter(bool condition, const std::string& message
 // A number of cells as the signed integer that lattice coordinates are made of.
 inline int lattice_count(std::size_t count)
 {
-  check_generator_parameter(count >= 1 && count <= 1000000,
-                            "a number of cells must be between 1 and a million");
+  check_generator_parameter(count >= 1 && count <= 1000000, "a number of cells must be between 1 and a million");
   return static_cast<int>(count);
 }
 
@@ -94,8 +90,14 @@ inline void append_lattice_box(int i0, int j0, int k0, int ni, int nj, int nk,
   for (int k = k0; k < k0 + nk; ++k)
     for (int j = j0; j < j0 + nj; ++j)
       for (int i = i0; i < i0 + ni; ++i)
-        lattice_hexahedra.push_back({{{0, i, j, k}, {0, i + 1, j, k}, {0, i + 1, j + 1, k}, {0, i, j + 1, k},
-                                      {0, i, j, k + 1}, {0, i + 1, j, k + 1}, {0, i + 1, j + 1, k + 1}, {0, i, j + 1, k + 1}}});
+        lattice_hexahedra.push_back({{{0, i, j, k},
+                                      {0, i + 1, j, k},
+                                      {0, i + 1, j + 1, k},
+                                      {0, i, j + 1, k},
+                                      {0, i, j, k + 1},
+                                      {0, i + 1, j, k + 1},
+                                      {0, i + 1, j + 1, k + 1},
+                                      {0, i, j + 1, k + 1}}});
 }
 
 // The edges around the lattice square [0,n]x[0,n], counter-clockwise, as pairs
@@ -114,20 +116,17 @@ inline std::vector<std::array<std::array<int, 2>, 2>> lattice_square_boundary(in
 
 // `layers` rings of hexahedra around the lattice square [0,n]x[0,n], each
 // `nz` cells high. Layer 0 is the boundary of the square itself.
-inline void append_lattice_rings(int n, int layers, int nz,
-                                 std::vector<Lattice_hexahedron>& lattice_hexahedra)
+inline void append_lattice_rings(int n, int layers, int nz, std::vector<Lattice_hexahedron>& lattice_hexahedra)
 {
   for (int k = 0; k < nz; ++k)
     for (int layer = 0; layer < layers; ++layer)
       for (const auto& edge : lattice_square_boundary(n)) {
-        const auto node = [&](int l, int end, int height)
-        {
+        const auto node = [&](int l, int end, int height) {
           return Lattice_node{{l, edge[end][0], edge[end][1], height}};
         };
-        lattice_hexahedra.push_back({{node(layer, 0, k), node(layer + 1, 0, k),
-                                      node(layer + 1, 1, k), node(layer, 1, k),
-                                      node(layer, 0, k + 1), node(layer + 1, 0, k + 1),
-                                      node(layer + 1, 1, k + 1), node(layer, 1, k + 1)}});
+        lattice_hexahedra.push_back(
+          {{node(layer, 0, k), node(layer + 1, 0, k), node(layer + 1, 1, k), node(layer, 1, k), node(layer, 0, k + 1),
+            node(layer + 1, 0, k + 1), node(layer + 1, 1, k + 1), node(layer, 1, k + 1)}});
       }
 }
 
@@ -156,8 +155,7 @@ inline std::array<double, 3> o_grid_core(const std::array<double, 3>& p)
 {
   constexpr double size = .5, bulge = .4;
   const std::array<double, 3> ball = cube_to_ball(p);
-  return {{size * ((1 - bulge) * p[0] + bulge * ball[0]),
-           size * ((1 - bulge) * p[1] + bulge * ball[1]),
+  return {{size * ((1 - bulge) * p[0] + bulge * ball[0]), size * ((1 - bulge) * p[1] + bulge * ball[1]),
            size * ((1 - bulge) * p[2] + bulge * ball[2])}};
 }
 
@@ -166,9 +164,7 @@ inline std::array<double, 3> o_grid_core(const std::array<double, 3>& p)
 inline std::array<double, 3> o_grid_node(const std::array<double, 3>& p, double t)
 {
   const std::array<double, 3> core = o_grid_core(p), ball = cube_to_ball(p);
-  return {{(1 - t) * core[0] + t * ball[0],
-           (1 - t) * core[1] + t * ball[1],
-           (1 - t) * core[2] + t * ball[2]}};
+  return {{(1 - t) * core[0] + t * ball[0], (1 - t) * core[1] + t * ball[1], (1 - t) * core[2] + t * ball[2]}};
 }
 
 // The fraction of a segment before its node `i` if `n` cells grow geometrically
@@ -210,10 +206,8 @@ inline double graded_fraction(int i, int n, double grading)
  *        axis: cells grow geometrically, as toward the wall of a boundary layer
  */
 template <class PointRange>
-void make_block(PointRange& points,
-                std::vector<std::array<std::size_t, 8>>& hexahedra,
-                const std::array<std::size_t, 3>& cells,
-                const std::array<double, 3>& sizes = {{1, 1, 1}},
+void make_block(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra,
+                const std::array<std::size_t, 3>& cells, const std::array<double, 3>& sizes = {{1, 1, 1}},
                 const std::array<double, 3>& gradings = {{1, 1, 1}})
 {
   std::array<int, 3> n;
@@ -225,13 +219,15 @@ void make_block(PointRange& points,
 
   std::vector<internal::Lattice_hexahedron> lattice;
   internal::append_lattice_box(0, 0, 0, n[0], n[1], n[2], lattice);
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    std::array<double, 3> p;
-    for (int d = 0; d < 3; ++d)
-      p[d] = sizes[d] * internal::graded_fraction(node[d + 1], n[d], gradings[d]);
-    return p;
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      std::array<double, 3> p;
+      for (int d = 0; d < 3; ++d)
+        p[d] = sizes[d] * internal::graded_fraction(node[d + 1], n[d], gradings[d]);
+      return p;
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -245,13 +241,8 @@ void make_block(PointRange& points,
  * `Input_error` is also thrown if the arc is too narrow for the section.
  */
 template <class PointRange>
-void make_bent_bar(PointRange& points,
-                   std::vector<std::array<std::size_t, 8>>& hexahedra,
-                   std::size_t n_along,
-                   std::size_t n_across,
-                   double length = 4,
-                   double width = 1,
-                   double bend = internal::pi / 2,
+void make_bent_bar(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n_along,
+                   std::size_t n_across, double length = 4, double width = 1, double bend = internal::pi / 2,
                    double twist = 0)
 {
   const int ni = internal::lattice_count(n_along), nj = internal::lattice_count(n_across);
@@ -261,19 +252,21 @@ void make_bent_bar(PointRange& points,
 
   std::vector<internal::Lattice_hexahedron> lattice;
   internal::append_lattice_box(0, 0, 0, ni, nj, nj, lattice);
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    const double s = static_cast<double>(node[1]) / ni;
-    const double u = width * (static_cast<double>(node[2]) / nj - .5);
-    const double v = width * (static_cast<double>(node[3]) / nj - .5);
-    const double y = std::cos(twist * s) * u - std::sin(twist * s) * v;
-    const double h = std::sin(twist * s) * u + std::cos(twist * s) * v;
-    const double angle = bend * s;
-    // The limit of a straight bar is taken where the chord would lose its digits
-    const double chord_x = std::abs(bend) < 1e-8 ? length * s : length / bend * std::sin(angle);
-    const double chord_z = std::abs(bend) < 1e-8 ? 0 : length / bend * (1 - std::cos(angle));
-    return std::array<double, 3>{{chord_x - std::sin(angle) * h, y, chord_z + std::cos(angle) * h}};
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      const double s = static_cast<double>(node[1]) / ni;
+      const double u = width * (static_cast<double>(node[2]) / nj - .5);
+      const double v = width * (static_cast<double>(node[3]) / nj - .5);
+      const double y = std::cos(twist * s) * u - std::sin(twist * s) * v;
+      const double h = std::sin(twist * s) * u + std::cos(twist * s) * v;
+      const double angle = bend * s;
+      // The limit of a straight bar is taken where the chord would lose its digits
+      const double chord_x = std::abs(bend) < 1e-8 ? length * s : length / bend * std::sin(angle);
+      const double chord_z = std::abs(bend) < 1e-8 ? 0 : length / bend * (1 - std::cos(angle));
+      return std::array<double, 3>{{chord_x - std::sin(angle) * h, y, chord_z + std::cos(angle) * h}};
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -284,12 +277,8 @@ void make_bent_bar(PointRange& points,
  * n_along * (n * n + 4 * n * rings) hexahedra.
  */
 template <class PointRange>
-void make_cylinder(PointRange& points,
-                   std::vector<std::array<std::size_t, 8>>& hexahedra,
-                   std::size_t n,
-                   std::size_t n_along,
-                   double radius = 1,
-                   double height = 2)
+void make_cylinder(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n,
+                   std::size_t n_along, double radius = 1, double height = 2)
 {
   const int ni = internal::lattice_count(n), nz = internal::lattice_count(n_along);
   const int rings = (std::max)(1, ni / 2);
@@ -298,12 +287,14 @@ void make_cylinder(PointRange& points,
   std::vector<internal::Lattice_hexahedron> lattice;
   internal::append_lattice_box(0, 0, 0, ni, ni, nz, lattice);
   internal::append_lattice_rings(ni, rings, nz, lattice);
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    const std::array<double, 3> p = internal::o_grid_node({{2. * node[1] / ni - 1, 2. * node[2] / ni - 1, 0}},
-                                                          static_cast<double>(node[0]) / rings);
-    return std::array<double, 3>{{radius * p[0], radius * p[1], height * node[3] / nz}};
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      const std::array<double, 3> p = internal::o_grid_node({{2. * node[1] / ni - 1, 2. * node[2] / ni - 1, 0}},
+                                                            static_cast<double>(node[0]) / rings);
+      return std::array<double, 3>{{radius * p[0], radius * p[1], height * node[3] / nz}};
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -313,10 +304,7 @@ void make_cylinder(PointRange& points,
  * `n` / 2 (at least one) shells of 6 n x n around it.
  */
 template <class PointRange>
-void make_ball(PointRange& points,
-               std::vector<std::array<std::size_t, 8>>& hexahedra,
-               std::size_t n,
-               double radius = 1)
+void make_ball(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n, double radius = 1)
 {
   const int ni = internal::lattice_count(n);
   const int shells = (std::max)(1, ni / 2);
@@ -327,8 +315,7 @@ void make_ball(PointRange& points,
   for (int axis = 0; axis < 3; ++axis)
     for (int a = 0; a < ni; ++a)
       for (int b = 0; b < ni; ++b) {
-        const auto node = [&](int c, int u, int v)
-        {
+        const auto node = [&](int c, int u, int v) {
           internal::Lattice_node name = {{0, 0, 0, 0}};
           name[1 + axis] = c;
           name[1 + (axis + 1) % 3] = u;
@@ -351,15 +338,17 @@ void make_ball(PointRange& points,
       }
       lattice.push_back(hexahedron);
     }
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    std::array<double, 3> p = internal::o_grid_node(
-        {{2. * node[1] / ni - 1, 2. * node[2] / ni - 1, 2. * node[3] / ni - 1}},
-        static_cast<double>(node[0]) / shells);
-    for (double& coordinate : p)
-      coordinate *= radius;
-    return p;
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      std::array<double, 3> p = internal::o_grid_node({{2. * node[1] / ni - 1, 2. * node[2] / ni - 1,
+                                                        2. * node[3] / ni - 1}},
+                                                      static_cast<double>(node[0]) / shells);
+      for (double& coordinate : p)
+        coordinate *= radius;
+      return p;
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -370,13 +359,8 @@ void make_ball(PointRange& points,
  * `Input_error` is also thrown if the hole does not fit in the plate.
  */
 template <class PointRange>
-void make_plate_with_hole(PointRange& points,
-                          std::vector<std::array<std::size_t, 8>>& hexahedra,
-                          std::size_t n,
-                          std::size_t n_through,
-                          double size = 4,
-                          double hole_radius = 1,
-                          double thickness = 1)
+void make_plate_with_hole(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n,
+                          std::size_t n_through, double size = 4, double hole_radius = 1, double thickness = 1)
 {
   const int ni = internal::lattice_count(n), nz = internal::lattice_count(n_through);
   internal::check_generator_parameter(size > 0 && hole_radius > 0 && thickness > 0,
@@ -385,15 +369,17 @@ void make_plate_with_hole(PointRange& points,
 
   std::vector<internal::Lattice_hexahedron> lattice;
   internal::append_lattice_rings(ni, ni, nz, lattice);
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    const std::array<double, 3> square = {{2. * node[1] / ni - 1, 2. * node[2] / ni - 1, 0}};
-    const std::array<double, 3> circle = internal::cube_to_ball(square);
-    const double t = static_cast<double>(node[0]) / ni;
-    return std::array<double, 3>{{(1 - t) * hole_radius * circle[0] + t * size / 2 * square[0],
-                                  (1 - t) * hole_radius * circle[1] + t * size / 2 * square[1],
-                                  thickness * node[3] / nz}};
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      const std::array<double, 3> square = {{2. * node[1] / ni - 1, 2. * node[2] / ni - 1, 0}};
+      const std::array<double, 3> circle = internal::cube_to_ball(square);
+      const double t = static_cast<double>(node[0]) / ni;
+      return std::array<double, 3>{{(1 - t) * hole_radius * circle[0] + t * size / 2 * square[0],
+                                    (1 - t) * hole_radius * circle[1] + t * size / 2 * square[1],
+                                    thickness * node[3] / nz}};
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -403,9 +389,7 @@ void make_plate_with_hole(PointRange& points,
  * a reentrant sharp edge.
  */
 template <class PointRange>
-void make_l_shape(PointRange& points,
-                  std::vector<std::array<std::size_t, 8>>& hexahedra,
-                  std::size_t n,
+void make_l_shape(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n,
                   double size = 1)
 {
   const int ni = internal::lattice_count(n);
@@ -414,10 +398,12 @@ void make_l_shape(PointRange& points,
   std::vector<internal::Lattice_hexahedron> lattice;
   internal::append_lattice_box(0, 0, 0, 2 * ni, ni, ni, lattice);
   internal::append_lattice_box(0, ni, 0, ni, ni, ni, lattice);
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    return std::array<double, 3>{{size * node[1] / ni, size * node[2] / ni, size * node[3] / ni}};
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      return std::array<double, 3>{{size * node[1] / ni, size * node[2] / ni, size * node[3] / ni}};
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -427,9 +413,7 @@ void make_l_shape(PointRange& points,
  * under the middle of a bar of three, with two reentrant sharp edges.
  */
 template <class PointRange>
-void make_t_shape(PointRange& points,
-                  std::vector<std::array<std::size_t, 8>>& hexahedra,
-                  std::size_t n,
+void make_t_shape(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n,
                   double size = 1)
 {
   const int ni = internal::lattice_count(n);
@@ -438,10 +422,12 @@ void make_t_shape(PointRange& points,
   std::vector<internal::Lattice_hexahedron> lattice;
   internal::append_lattice_box(ni, 0, 0, ni, ni, ni, lattice);
   internal::append_lattice_box(0, ni, 0, 3 * ni, ni, ni, lattice);
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    return std::array<double, 3>{{size * node[1] / ni, size * node[2] / ni, size * node[3] / ni}};
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      return std::array<double, 3>{{size * node[1] / ni, size * node[2] / ni, size * node[3] / ni}};
+    },
+    points, hexahedra);
 }
 
 /*!
@@ -451,13 +437,8 @@ void make_t_shape(PointRange& points,
  * `n_around` (at least 3) x `n_across` x `n_across` hexahedra.
  */
 template <class PointRange>
-void make_ring(PointRange& points,
-               std::vector<std::array<std::size_t, 8>>& hexahedra,
-               std::size_t n_around,
-               std::size_t n_across,
-               double inner_radius = 1,
-               double outer_radius = 2,
-               double height = 1)
+void make_ring(PointRange& points, std::vector<std::array<std::size_t, 8>>& hexahedra, std::size_t n_around,
+               std::size_t n_across, double inner_radius = 1, double outer_radius = 2, double height = 1)
 {
   const int na = internal::lattice_count(n_around), nj = internal::lattice_count(n_across);
   internal::check_generator_parameter(na >= 3, "a ring needs at least three cells around its axis");
@@ -470,14 +451,16 @@ void make_ring(PointRange& points,
   for (internal::Lattice_hexahedron& hexahedron : lattice)
     for (internal::Lattice_node& node : hexahedron)
       node[2] %= na;
-  internal::build_lattice_mesh(lattice, [&](const internal::Lattice_node& node)
-  {
-    const double radius = inner_radius + (outer_radius - inner_radius) * node[1] / nj;
-    const double angle = 2 * internal::pi * node[2] / na;
-    return std::array<double, 3>{{radius * std::cos(angle), radius * std::sin(angle), height * node[3] / nj}};
-  }, points, hexahedra);
+  internal::build_lattice_mesh(
+    lattice,
+    [&](const internal::Lattice_node& node) {
+      const double radius = inner_radius + (outer_radius - inner_radius) * node[1] / nj;
+      const double angle = 2 * internal::pi * node[2] / na;
+      return std::array<double, 3>{{radius * std::cos(angle), radius * std::sin(angle), height * node[3] / nj}};
+    },
+    points, hexahedra);
 }
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_HEX_MESH_GENERATORS_H

@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -26,8 +25,8 @@ namespace Hex_mesh_optimization {
  * follow; the parts of a hexahedron take its place. O(`n`³ · hexahedra · log).
  *
  * \tparam PointRange a model of `RandomAccessContainer` and `BackInsertionSequence` of 3D points
- * \tparam HexahedronRange a model of `RandomAccessContainer` and `BackInsertionSequence` whose value type is an array of
- *         eight integers
+ * \tparam HexahedronRange a model of `RandomAccessContainer` and `BackInsertionSequence` whose value type is an array
+ *         of eight integers
  *
  * \pre `n` > 0
  */
@@ -90,6 +89,6 @@ void subdivide_hex_mesh(PointRange& points, HexahedronRange& hexahedra, std::siz
   }
 }
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_HEX_MESH_SUBDIVISION_H

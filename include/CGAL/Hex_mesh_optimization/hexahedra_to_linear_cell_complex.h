@@ -44,8 +44,7 @@ public:
   template <class Make_message>
   void report(std::size_t hexahedron, const Make_message& make_message)
   {
-    if(hexahedron < hexahedron_)
-    {
+    if (hexahedron < hexahedron_) {
       hexahedron_ = hexahedron;
       message_ = "hexahedron " + std::to_string(hexahedron) + ": " + make_message();
     }
@@ -53,7 +52,7 @@ public:
 
   void throw_if_any() const
   {
-    if(hexahedron_ != (std::numeric_limits<std::size_t>::max)())
+    if (hexahedron_ != (std::numeric_limits<std::size_t>::max)())
       throw Input_error(Input_error::Element::HEXAHEDRON, hexahedron_, message_);
   }
 
@@ -68,8 +67,7 @@ class Hexahedra_sewing
 {
 public:
   template <class HexahedronRange>
-  Hexahedra_sewing(std::size_t number_of_points, const HexahedronRange& hexahedra)
-    : number_of_points_(number_of_points)
+  Hexahedra_sewing(std::size_t number_of_points, const HexahedronRange& hexahedra) : number_of_points_(number_of_points)
   {
     copy(hexahedra);
     match_faces();
@@ -86,28 +84,27 @@ private:
   {
     First_hexahedron_error error;
     hexahedra_.reserve(hexahedra.size());
-    for(const auto& hexahedron : hexahedra)
-    {
+    for (const auto& hexahedron : hexahedra) {
       const std::size_t h = hexahedra_.size();
       std::array<std::size_t, 8> corners{};
       std::size_t count = 0;
-      for(const auto& index : hexahedron)
-      {
+      for (const auto& index : hexahedron) {
         // A negative index becomes a large one.
         const std::size_t v = static_cast<std::size_t>(index);
-        if(count < 8)
-        {
-          if(v >= number_of_points_)
-            error.report(h, [&]{ return "vertex index " + std::to_string(index) + " is out of range, there are "
-                                        + std::to_string(number_of_points_) + " points"; });
-          if(std::find(corners.begin(), corners.begin() + count, v) != corners.begin() + count)
-            error.report(h, [&]{ return "vertex " + std::to_string(v) + " occurs twice"; });
+        if (count < 8) {
+          if (v >= number_of_points_)
+            error.report(h, [&] {
+              return "vertex index " + std::to_string(index) + " is out of range, there are " +
+                     std::to_string(number_of_points_) + " points";
+            });
+          if (std::find(corners.begin(), corners.begin() + count, v) != corners.begin() + count)
+            error.report(h, [&] { return "vertex " + std::to_string(v) + " occurs twice"; });
           corners[count] = v;
         }
         ++count;
       }
-      if(count != 8)
-        error.report(h, [&]{ return "it has " + std::to_string(count) + " vertices, not 8"; });
+      if (count != 8)
+        error.report(h, [&] { return "it has " + std::to_string(count) + " vertices, not 8"; });
       error.throw_if_any();
       hexahedra_.push_back(corners);
     }
@@ -131,43 +128,46 @@ private:
   {
     begin.assign(number_of_points_ + 2, 0);
     elements.resize(size);
-    for(std::size_t e = 0; e < size; ++e)
+    for (std::size_t e = 0; e < size; ++e)
       ++begin[smallest_vertex(e) + 2];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    for(std::size_t e = 0; e < size; ++e)
+    for (std::size_t e = 0; e < size; ++e)
       elements[begin[smallest_vertex(e) + 1]++] = e;
   }
 
   void match_faces()
   {
     std::vector<std::size_t> begin, faces;
-    sort_by_smallest_vertex(6 * hexahedra_.size(), [this](std::size_t f)
-      { return (std::min)((std::min)(face_vertex(f, 0), face_vertex(f, 1)),
-                          (std::min)(face_vertex(f, 2), face_vertex(f, 3))); }, begin, faces);
+    sort_by_smallest_vertex(
+      6 * hexahedra_.size(),
+      [this](std::size_t f) {
+        return (std::min)((std::min)(face_vertex(f, 0), face_vertex(f, 1)),
+                          (std::min)(face_vertex(f, 2), face_vertex(f, 3)));
+      },
+      begin, faces);
 
     First_hexahedron_error error;
     std::vector<std::pair<std::array<std::size_t, 4>, std::size_t>> around;
-    for(std::size_t v = 0; v < number_of_points_; ++v)
-    {
+    for (std::size_t v = 0; v < number_of_points_; ++v) {
       around.clear();
-      for(std::size_t i = begin[v]; i < begin[v + 1]; ++i)
-      {
+      for (std::size_t i = begin[v]; i < begin[v + 1]; ++i) {
         std::array<std::size_t, 4> key;
-        for(int j = 0; j < 4; ++j)
+        for (int j = 0; j < 4; ++j)
           key[j] = face_vertex(faces[i], j);
         std::sort(key.begin(), key.end());
         around.emplace_back(key, faces[i]);
       }
       std::sort(around.begin(), around.end());
-      for(std::size_t i = 0, j; i < around.size(); i = j)
-      {
-        for(j = i + 1; j < around.size() && around[j].first == around[i].first; ++j) {}
-        if(j - i == 2)
+      for (std::size_t i = 0, j; i < around.size(); i = j) {
+        for (j = i + 1; j < around.size() && around[j].first == around[i].first; ++j) {
+        }
+        if (j - i == 2)
           match(around[i].second, around[i + 1].second, error);
-        else if(j - i > 2)
-          error.report(around[i + 2].second / 6, [&]{
-            return "its face " + name_of_face(around[i].second) + " already belongs to the hexahedra "
-                   + std::to_string(around[i].second / 6) + " and " + std::to_string(around[i + 1].second / 6); });
+        else if (j - i > 2)
+          error.report(around[i + 2].second / 6, [&] {
+            return "its face " + name_of_face(around[i].second) + " already belongs to the hexahedra " +
+                   std::to_string(around[i].second / 6) + " and " + std::to_string(around[i + 1].second / 6);
+          });
       }
     }
     error.throw_if_any();
@@ -176,7 +176,7 @@ private:
   std::string name_of_face(std::size_t face) const
   {
     std::string name = "(";
-    for(int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i)
       name += (i == 0 ? "" : " ") + std::to_string(face_vertex(face, i));
     return name + ")";
   }
@@ -184,14 +184,18 @@ private:
   void match(std::size_t first, std::size_t second, First_hexahedron_error& error)
   {
     int j = 0;
-    while(face_vertex(second, j) != face_vertex(first, 0))
+    while (face_vertex(second, j) != face_vertex(first, 0))
       ++j;
-    if(face_vertex(second, j + 2) != face_vertex(first, 2))
-      error.report(second / 6, [&]{ return "it connects the vertices of face " + name_of_face(first)
-        + " by other edges than hexahedron " + std::to_string(first / 6) + " does"; });
-    else if(face_vertex(second, j + 1) != face_vertex(first, 3))
-      error.report(second / 6, [&]{ return "its orientation is opposite to that of hexahedron "
-        + std::to_string(first / 6) + ", with which it shares the face " + name_of_face(first); });
+    if (face_vertex(second, j + 2) != face_vertex(first, 2))
+      error.report(second / 6, [&] {
+        return "it connects the vertices of face " + name_of_face(first) + " by other edges than hexahedron " +
+               std::to_string(first / 6) + " does";
+      });
+    else if (face_vertex(second, j + 1) != face_vertex(first, 3))
+      error.report(second / 6, [&] {
+        return "its orientation is opposite to that of hexahedron " + std::to_string(first / 6) +
+               ", with which it shares the face " + name_of_face(first);
+      });
     else
       face_matches_.push_back({first, second, (j + 1) & 3});
   }
@@ -201,25 +205,25 @@ private:
   void check_vertices() const
   {
     Disjoint_sets corners(8 * hexahedra_.size());
-    for(const Face_match& m : face_matches_)
-      for(int i = 0; i < 4; ++i)
+    for (const Face_match& m : face_matches_)
+      for (int i = 0; i < 4; ++i)
         corners.unite(8 * (m.first / 6) + hexahedron_faces[m.first % 6][i],
                       8 * (m.second / 6) + hexahedron_faces[m.second % 6][(m.turn + 3 - i) & 3]);
 
     constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
     std::vector<std::size_t> first_corner(number_of_points_, none);
     First_hexahedron_error error;
-    for(std::size_t h = 0; h < hexahedra_.size(); ++h)
-    {
-      for(std::size_t c = 0; c < 8; ++c)
-      {
+    for (std::size_t h = 0; h < hexahedra_.size(); ++h) {
+      for (std::size_t c = 0; c < 8; ++c) {
         const std::size_t v = hexahedra_[h][c];
         const std::size_t root = corners.find(8 * h + c);
-        if(first_corner[v] == none)
+        if (first_corner[v] == none)
           first_corner[v] = root;
-        else if(first_corner[v] != root)
-          error.report(h, [&]{ return "at vertex " + std::to_string(v) + " it is not connected through faces to hexahedron "
-                                      + std::to_string(first_corner[v] / 8) + ", the vertex is non-manifold"; });
+        else if (first_corner[v] != root)
+          error.report(h, [&] {
+            return "at vertex " + std::to_string(v) + " it is not connected through faces to hexahedron " +
+                   std::to_string(first_corner[v] / 8) + ", the vertex is non-manifold";
+          });
       }
       error.throw_if_any();
     }
@@ -228,37 +232,37 @@ private:
   void check_edges() const
   {
     int edge_of[8][8] = {};
-    for(int e = 0; e < 12; ++e)
-      for(int i = 0; i < 2; ++i)
+    for (int e = 0; e < 12; ++e)
+      for (int i = 0; i < 2; ++i)
         edge_of[hexahedron_edges[e][i]][hexahedron_edges[e][1 - i]] = e;
-    const auto face_edge = [&](std::size_t face, int i)
-    {
+    const auto face_edge = [&](std::size_t face, int i) {
       const int* corners = hexahedron_faces[face % 6];
       return 12 * (face / 6) + edge_of[corners[i & 3]][corners[(i + 1) & 3]];
     };
 
     Disjoint_sets sets(12 * hexahedra_.size());
-    for(const Face_match& m : face_matches_)
-      for(int i = 0; i < 4; ++i)
+    for (const Face_match& m : face_matches_)
+      for (int i = 0; i < 4; ++i)
         sets.unite(face_edge(m.first, i), face_edge(m.second, m.turn + 2 - i));
 
     std::vector<std::size_t> begin, edges;
-    sort_by_smallest_vertex(12 * hexahedra_.size(), [this](std::size_t e)
-      { return (std::min)(edge_vertex(e, 0), edge_vertex(e, 1)); }, begin, edges);
+    sort_by_smallest_vertex(
+      12 * hexahedra_.size(), [this](std::size_t e) { return (std::min)(edge_vertex(e, 0), edge_vertex(e, 1)); }, begin,
+      edges);
     First_hexahedron_error error;
     std::vector<std::pair<std::size_t, std::size_t>> around;
-    for(std::size_t v = 0; v < number_of_points_; ++v)
-    {
+    for (std::size_t v = 0; v < number_of_points_; ++v) {
       around.clear();
-      for(std::size_t i = begin[v]; i < begin[v + 1]; ++i)
+      for (std::size_t i = begin[v]; i < begin[v + 1]; ++i)
         around.emplace_back((std::max)(edge_vertex(edges[i], 0), edge_vertex(edges[i], 1)), edges[i]);
       std::sort(around.begin(), around.end());
-      for(std::size_t i = 1; i < around.size(); ++i)
-        if(around[i].first == around[i - 1].first && sets.find(around[i].second) != sets.find(around[i - 1].second))
-          error.report(around[i].second / 12, [&]{
-            return "at edge (" + std::to_string(v) + " " + std::to_string(around[i].first)
-                   + ") it is not connected through faces to hexahedron "
-                   + std::to_string(around[i - 1].second / 12) + ", the edge is non-manifold"; });
+      for (std::size_t i = 1; i < around.size(); ++i)
+        if (around[i].first == around[i - 1].first && sets.find(around[i].second) != sets.find(around[i - 1].second))
+          error.report(around[i].second / 12, [&] {
+            return "at edge (" + std::to_string(v) + " " + std::to_string(around[i].first) +
+                   ") it is not connected through faces to hexahedron " + std::to_string(around[i - 1].second / 12) +
+                   ", the edge is non-manifold";
+          });
     }
     error.throw_if_any();
   }
@@ -274,26 +278,25 @@ void make_volumes(const PointRange& points, const Hexahedra_sewing& sewing, LCC&
   using Vertex = decltype(lcc.create_vertex_attribute(*points.begin()));
   std::vector<Vertex> vertices;
   vertices.reserve(points.size());
-  for(const auto& p : points)
+  for (const auto& p : points)
     vertices.push_back(lcc.create_vertex_attribute(p));
 
   using Dart = decltype(lcc.create_dart());
   std::vector<Dart> darts;
   darts.reserve(sewing.hexahedra().size());
   // make_hexahedron() numbers the top differently: its corner 4 is above corner 3.
-  for(const std::array<std::size_t, 8>& h : sewing.hexahedra())
-    darts.push_back(lcc.make_hexahedron(vertices[h[0]], vertices[h[1]], vertices[h[2]], vertices[h[3]],
-                                        vertices[h[7]], vertices[h[4]], vertices[h[5]], vertices[h[6]]));
+  for (const std::array<std::size_t, 8>& h : sewing.hexahedra())
+    darts.push_back(lcc.make_hexahedron(vertices[h[0]], vertices[h[1]], vertices[h[2]], vertices[h[3]], vertices[h[7]],
+                                        vertices[h[4]], vertices[h[5]], vertices[h[6]]));
 
-  for(const Face_match& m : sewing.face_matches())
-  {
+  for (const Face_match& m : sewing.face_matches()) {
     const Dart first = dart_of_face(lcc, darts[m.first / 6], m.first % 6);
     Dart second = dart_of_face(lcc, darts[m.second / 6], m.second % 6);
-    for(int i = m.turn; i % 4 != 0; ++i)
+    for (int i = m.turn; i % 4 != 0; ++i)
       second = lcc.next(second);
     // The two faces share their vertex attributes already: the topological
     // sewing leaves nothing to merge.
-    if constexpr(is_generalized_map_v<LCC>)
+    if constexpr (is_generalized_map_v<LCC>)
       lcc.template topo_sew<3>(first, lcc.template alpha<0>(second));
     else
       lcc.template topo_sew<3>(first, second);
@@ -341,6 +344,7 @@ void hexahedra_to_linear_cell_complex(const PointRange& points, const Hexahedron
   internal::make_volumes(points, internal::Hexahedra_sewing(points.size(), hexahedra), lcc);
 }
 
-} } // namespace CGAL::Hex_mesh_optimization
+}
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_HEXAHEDRA_TO_LINEAR_CELL_COMPLEX_H

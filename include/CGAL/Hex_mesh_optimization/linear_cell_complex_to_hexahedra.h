@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 namespace internal {
 
 // A Boolean mark of the darts, freed on every way out.
@@ -36,9 +35,15 @@ public:
   Dart_mark& operator=(const Dart_mark&) = delete;
 
   template <class Dart>
-  bool is_set(Dart dart) const { return lcc_.is_marked(dart, mark_); }
+  bool is_set(Dart dart) const
+  {
+    return lcc_.is_marked(dart, mark_);
+  }
   template <class Dart>
-  void set(Dart dart) const { lcc_.mark(dart, mark_); }
+  void set(Dart dart) const
+  {
+    lcc_.mark(dart, mark_);
+  }
 
 private:
   const LCC& lcc_;
@@ -53,9 +58,9 @@ struct Opposite_darts
 
   constexpr Opposite_darts()
   {
-    for(int d = 0; d < 24; ++d)
-      for(int e = 0; e < 24; ++e)
-        if(corner(d) == corner(next(e)) && corner(e) == corner(next(d)))
+    for (int d = 0; d < 24; ++d)
+      for (int e = 0; e < 24; ++e)
+        if (corner(d) == corner(next(e)) && corner(e) == corner(next(d)))
           of[d] = e;
   }
 
@@ -69,21 +74,19 @@ template <class LCC, class Dart>
 bool darts_of_hexahedron(const LCC& lcc, Dart dart, std::array<Dart, 24>& darts)
 {
   static constexpr Opposite_darts opposite{};
-  for(std::size_t f = 0; f < 6; ++f)
-  {
+  for (std::size_t f = 0; f < 6; ++f) {
     Dart d = dart_of_face(lcc, dart, f);
     const Dart first = d;
-    for(std::size_t i = 0; i < 4; ++i, d = lcc.next(d))
-    {
-      if(lcc.template is_free<0>(d) || lcc.template is_free<1>(d) || lcc.template is_free<2>(d))
+    for (std::size_t i = 0; i < 4; ++i, d = lcc.next(d)) {
+      if (lcc.template is_free<0>(d) || lcc.template is_free<1>(d) || lcc.template is_free<2>(d))
         return false;
       darts[4 * f + i] = d;
     }
-    if(d != first)
+    if (d != first)
       return false;
   }
-  for(std::size_t d = 0; d < 24; ++d)
-    if(lcc.opposite2(darts[d]) != darts[opposite.of[d]])
+  for (std::size_t d = 0; d < 24; ++d)
+    if (lcc.opposite2(darts[d]) != darts[opposite.of[d]])
       return false;
   return true;
 }
@@ -99,7 +102,7 @@ public:
   explicit Hexahedra_of_linear_cell_complex(const LCC& lcc) : lcc_(lcc)
   {
     list_volumes();
-    if constexpr(is_generalized_map_v<LCC>)
+    if constexpr (is_generalized_map_v<LCC>)
       orient();
   }
 
@@ -127,16 +130,14 @@ private:
     const Dart_mark<LCC> visited(lcc_);
     std::array<Dart, 24> darts;
     const auto end = lcc_.darts().end();
-    for(auto it = lcc_.darts().begin(); it != end; ++it)
-    {
-      if(visited.is_set(it))
+    for (auto it = lcc_.darts().begin(); it != end; ++it) {
+      if (visited.is_set(it))
         continue;
-      if(!darts_of_hexahedron(lcc_, Dart(it), darts))
+      if (!darts_of_hexahedron(lcc_, Dart(it), darts))
         refuse(first_darts_.size(), "it is not a combinatorial hexahedron");
-      for(const Dart& d : darts)
-      {
+      for (const Dart& d : darts) {
         visited.set(d);
-        if constexpr(is_generalized_map_v<LCC>)
+        if constexpr (is_generalized_map_v<LCC>)
           visited.set(lcc_.template alpha<0>(d));
       }
       first_darts_.push_back(it);
@@ -150,28 +151,25 @@ private:
     const Dart_mark<LCC> positive(lcc_);
     std::vector<Dart> stack;
     std::array<Dart, 24> darts;
-    for(std::size_t h = 0; h < first_darts_.size(); ++h)
-    {
+    for (std::size_t h = 0; h < first_darts_.size(); ++h) {
       Dart& first = first_darts_[h];
-      if(positive.is_set(lcc_.template alpha<0>(first)))
-      {
+      if (positive.is_set(lcc_.template alpha<0>(first))) {
         first = lcc_.template alpha<0>(first);
         continue;
       }
       stack.push_back(first);
-      while(!stack.empty())
-      {
+      while (!stack.empty()) {
         const Dart dart = stack.back();
         stack.pop_back();
-        if(positive.is_set(dart))
+        if (positive.is_set(dart))
           continue;
-        if(positive.is_set(lcc_.template alpha<0>(dart)))
+        if (positive.is_set(lcc_.template alpha<0>(dart)))
           refuse(h, "its connected component is not orientable");
         darts_of_hexahedron(lcc_, dart, darts);
-        for(const Dart& d : darts)
+        for (const Dart& d : darts)
           positive.set(d);
-        for(std::size_t i = 0; i < 24; i += 4)
-          if(!lcc_.template is_free<3>(darts[i]))
+        for (std::size_t i = 0; i < 24; i += 4)
+          if (!lcc_.template is_free<3>(darts[i]))
             stack.push_back(lcc_.template opposite<3>(darts[i]));
       }
     }
@@ -196,23 +194,20 @@ void list_points_and_hexahedra(const LCC& lcc, PointRange& points, HexahedronRan
   std::unordered_map<const void*, std::size_t> index_of;
   index_of.reserve(lcc.number_of_vertex_attributes());
   const auto end = lcc.vertex_attributes().end();
-  for(auto it = lcc.vertex_attributes().begin(); it != end; ++it)
-  {
+  for (auto it = lcc.vertex_attributes().begin(); it != end; ++it) {
     const typename LCC::Point& p = lcc.point_of_vertex_attribute(it);
     index_of.emplace(&p, points.size());
     points.push_back(p);
   }
 
-  for(std::size_t h = 0; h < volumes.size(); ++h)
-  {
+  for (std::size_t h = 0; h < volumes.size(); ++h) {
     typename HexahedronRange::value_type hexahedron;
     CGAL::internal::resize(hexahedron, 8);
     using Index = std::decay_t<decltype(hexahedron[0])>;
     std::array<std::size_t, 8> sorted;
     std::size_t i = 0;
-    for(const auto& dart : volumes.corners(h))
-    {
-      if(Linear_cell_complex_types<LCC>::is_null(lcc.vertex_attribute(dart)))
+    for (const auto& dart : volumes.corners(h)) {
+      if (Linear_cell_complex_types<LCC>::is_null(lcc.vertex_attribute(dart)))
         throw Input_error(Input_error::Element::HEXAHEDRON, h,
                           "volume " + std::to_string(h) + ": a dart has no vertex attribute");
       sorted[i] = index_of.find(&lcc.point(dart))->second;
@@ -221,7 +216,7 @@ void list_points_and_hexahedra(const LCC& lcc, PointRange& points, HexahedronRan
     }
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if(twice != sorted.end())
+    if (twice != sorted.end())
       throw Input_error(Input_error::Element::HEXAHEDRON, h,
                         "volume " + std::to_string(h) + ": vertex " + std::to_string(*twice) + " occurs twice");
     hexahedra.push_back(std::move(hexahedron));
@@ -282,16 +277,15 @@ void linear_cell_complex_to_hexahedra(const LCC& lcc, PointRange& points, Hexahe
  * \param vertices the vertex attributes in the order of `points`, replaced
  */
 template <class LCC, class PointRange, class HexahedronRange, class VertexRange>
-void linear_cell_complex_to_hexahedra(LCC& lcc, PointRange& points, HexahedronRange& hexahedra,
-                                      VertexRange& vertices)
+void linear_cell_complex_to_hexahedra(LCC& lcc, PointRange& points, HexahedronRange& hexahedra, VertexRange& vertices)
 {
   internal::list_points_and_hexahedra(lcc, points, hexahedra);
   vertices.clear();
   const auto end = lcc.vertex_attributes().end();
-  for(auto it = lcc.vertex_attributes().begin(); it != end; ++it)
+  for (auto it = lcc.vertex_attributes().begin(); it != end; ++it)
     vertices.push_back(it);
 }
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_LINEAR_CELL_COMPLEX_TO_HEXAHEDRA_H

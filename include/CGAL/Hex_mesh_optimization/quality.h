@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /// \ingroup PkgHexMeshOptimizationRef
 /// @{
@@ -45,8 +44,8 @@ namespace Hex_mesh_optimization {
  *        the hexahedron, and `p4` to `p7` above them
  */
 template <class Point>
-double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
-                       const Point& p4, const Point& p5, const Point& p6, const Point& p7)
+double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4,
+                       const Point& p5, const Point& p6, const Point& p7)
 {
   return internal::scaled_jacobian(internal::hexahedron_coordinates(p0, p1, p2, p3, p4, p5, p6, p7));
 }
@@ -66,11 +65,12 @@ double scaled_jacobian(const PointRange& p)
  * returns the minimum of `scaled_jacobian()` and of the same determinant for the three principal axes, the
  * sums of the four edge vectors in each direction, which span the Jacobian at the center.
  *
- * This nine-point value is what the Verdict library defines and what HexaLab displays. It is never greater than `scaled_jacobian()`.
+ * This nine-point value is what the Verdict library defines and what HexaLab displays. It is never greater than
+ * `scaled_jacobian()`.
  */
 template <class Point>
-double scaled_jacobian_with_center(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
-                                   const Point& p4, const Point& p5, const Point& p6, const Point& p7)
+double scaled_jacobian_with_center(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4,
+                                   const Point& p5, const Point& p6, const Point& p7)
 {
   const auto x = internal::hexahedron_coordinates(p0, p1, p2, p3, p4, p5, p6, p7);
   return (std::min)(internal::scaled_jacobian(x), internal::center_scaled_jacobian(x));
@@ -97,8 +97,8 @@ double scaled_jacobian_with_center(const PointRange& p)
  * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
  */
 template <class Point>
-double edge_ratio(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
-                  const Point& p4, const Point& p5, const Point& p6, const Point& p7)
+double edge_ratio(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4, const Point& p5,
+                  const Point& p6, const Point& p7)
 {
   return internal::edge_ratio(internal::hexahedron_coordinates(p0, p1, p2, p3, p4, p5, p6, p7));
 }
@@ -175,8 +175,7 @@ std::vector<std::size_t> quality_histogram(const PointRange& points, const Hexah
 {
   CGAL_precondition(number_of_bins > 0);
   std::vector<std::size_t> result(number_of_bins, 0);
-  for (double quality : scaled_jacobians(points, hexahedra))
-  {
+  for (double quality : scaled_jacobians(points, hexahedra)) {
     const auto bin = static_cast<std::size_t>((quality + 1) / 2 * double(number_of_bins));
     ++result[(std::min)(bin, number_of_bins - 1)];
   }
@@ -185,6 +184,6 @@ std::vector<std::size_t> quality_histogram(const PointRange& points, const Hexah
 
 /// @}
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_QUALITY_H

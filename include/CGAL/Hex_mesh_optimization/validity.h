@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 /// \ingroup PkgHexMeshOptimizationRef
 /// @{
@@ -26,14 +25,14 @@ namespace Hex_mesh_optimization {
  * decides whether a hexahedron is valid: whether the Jacobian determinant of the trilinear map from the unit
  * cube that takes the corners to the given points is positive everywhere on the closed cube.
  *
- * The answers `Validity::VALID` and `Validity::INVALID` are proofs for the given coordinates, as `double`s: no rounding error
- * can falsify them. A hexahedron with a coordinate that is not finite is invalid, and so is one
+ * The answers `Validity::VALID` and `Validity::INVALID` are proofs for the given coordinates, as `double`s: no rounding
+ * error can falsify them. A hexahedron with a coordinate that is not finite is invalid, and so is one
  * with a determinant that reaches zero at a corner.
  *
  * The determinant is written in the Bernstein-B&eacute;zier basis, as proposed by Johnen, Weill and Remacle
- * (<em>Robust and efficient validation of the linear hexahedral element</em>, 2017). It has 27 coefficients, averages of the
- * determinants of three edge vectors. If they are all positive the hexahedron is valid; if one at a corner is not, it is
- * invalid; in between, the cube is subdivided. This is done with `double`s and a bound of their error,
+ * (<em>Robust and efficient validation of the linear hexahedral element</em>, 2017). It has 27 coefficients, averages
+ * of the determinants of three edge vectors. If they are all positive the hexahedron is valid; if one at a corner is
+ * not, it is invalid; in between, the cube is subdivided. This is done with `double`s and a bound of their error,
  * then with intervals, and finally with exact numbers, each only where the one before could not decide.
  *
  * Almost every hexahedron of a mesh takes well below a microsecond. A determinant that
@@ -44,18 +43,17 @@ namespace Hex_mesh_optimization {
  *
  * \param p0,p1,p2,p3,p4,p5,p6,p7 the corners: `p0` to `p3` around the bottom, counter-clockwise when seen from inside
  *        the hexahedron, and `p4` to `p7` above them
- * \param maximum_depth how often the cube is halved, in all directions, at the most, and not more than 100 times; the total
- *        number of cells is bounded as well
+ * \param maximum_depth how often the cube is halved, in all directions, at the most, and not more than 100 times; the
+ *        total number of cells is bounded as well
  *
  * The compiler must follow IEEE 754: no option `-ffast-math`.
  */
 template <class Point>
-Validity hexahedron_validity(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
-                             const Point& p4, const Point& p5, const Point& p6, const Point& p7,
+Validity hexahedron_validity(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4,
+                             const Point& p5, const Point& p6, const Point& p7,
                              int maximum_depth = internal::default_maximum_depth)
 {
-  return internal::hexahedron_validity(internal::hexahedron_coordinates(p0, p1, p2, p3, p4, p5, p6, p7),
-                                       maximum_depth);
+  return internal::hexahedron_validity(internal::hexahedron_coordinates(p0, p1, p2, p3, p4, p5, p6, p7), maximum_depth);
 }
 
 /*!
@@ -75,8 +73,8 @@ Validity hexahedron_validity(const PointRange& p, int maximum_depth = internal::
  * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
  */
 template <class Point>
-bool is_valid_hexahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
-                         const Point& p4, const Point& p5, const Point& p6, const Point& p7)
+bool is_valid_hexahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4,
+                         const Point& p5, const Point& p6, const Point& p7)
 {
   return hexahedron_validity(p0, p1, p2, p3, p4, p5, p6, p7) == Validity::VALID;
 }
@@ -105,8 +103,7 @@ template <class PointRange, class HexahedronRange, class OutputIterator>
 OutputIterator invalid_hexahedra(const PointRange& points, const HexahedronRange& hexahedra, OutputIterator out)
 {
   std::size_t index = 0;
-  for (const auto& hexahedron : hexahedra)
-  {
+  for (const auto& hexahedron : hexahedra) {
     if (internal::hexahedron_validity(internal::hexahedron_coordinates(points, hexahedron)) != Validity::VALID)
       *out++ = index;
     ++index;
@@ -115,8 +112,8 @@ OutputIterator invalid_hexahedra(const PointRange& points, const HexahedronRange
 }
 
 /*!
- * writes a dart of each hexahedron of a linear cell complex that is not proven valid: the one from corner 0 to corner 4,
- * in the order of `linear_cell_complex_to_hexahedra()`.
+ * writes a dart of each hexahedron of a linear cell complex that is not proven valid: the one from corner 0 to corner
+ * 4, in the order of `linear_cell_complex_to_hexahedra()`.
  *
  * \tparam LCC an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
  *         `Linear_cell_complex_for_generalized_map<3,3,...>`
@@ -140,6 +137,6 @@ OutputIterator invalid_hexahedra(const LCC& lcc, OutputIterator out)
 
 /// @}
 
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_VALIDITY_H

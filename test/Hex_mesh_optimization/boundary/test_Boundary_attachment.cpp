@@ -53,7 +53,8 @@ struct Reference
 
   std::unique_ptr<Reference_surface> traced() const
   {
-    return std::make_unique<Reference_surface>(points, triangles, sharp_edges(points, triangles, 45), false, Feature_parameters());
+    return std::make_unique<Reference_surface>(points, triangles, sharp_edges(points, triangles, 45), false,
+                                               Feature_parameters());
   }
 };
 
@@ -67,7 +68,8 @@ TEST(Boundary_attachment_by_matching, puts_the_vertices_of_a_cube_on_another_cub
     ASSERT_EQ(surface->curves.size(), 12u);
     ASSERT_EQ(surface->corners.size(), 8u);
     const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
-    const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE, Vertex_kind::CORNER};
+    const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE,
+                                  Vertex_kind::CORNER};
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       const Vector_3& p = mesh.points[v];
       EXPECT_EQ(attachment.kind[v], kinds[extreme_coordinates(p)]) << v;
@@ -115,7 +117,8 @@ TEST(Boundary_attachment_by_matching, follows_closed_curves)
     const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, *surface).attachment;
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       const Vector_3& p = mesh.points[v];
-      const bool on_rim = std::abs(p.head<2>().norm() - 1) < 1e-9 && (std::abs(p[2]) < 1e-9 || std::abs(p[2] - 2) < 1e-9);
+      const bool on_rim = std::abs(p.head<2>().norm() - 1) < 1e-9 &&
+                          (std::abs(p[2]) < 1e-9 || std::abs(p[2] - 2) < 1e-9);
       EXPECT_EQ(attachment.kind[v] == Vertex_kind::FEATURE, on_rim) << v;
       if (attachment.kind[v] == Vertex_kind::FEATURE) {
         EXPECT_NEAR(surface->curves[attachment.curve[v]]->closest_point(p).point[2], p[2], 1e-9);

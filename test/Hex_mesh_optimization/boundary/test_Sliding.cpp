@@ -26,7 +26,8 @@ namespace {
 using namespace CGAL::Hex_mesh_optimization::internal;
 using CGAL::Hex_mesh_optimization::Boundary_placement;
 
-class Sliding_of_families : public ::testing::TestWithParam<Mesh_family> {};
+class Sliding_of_families : public ::testing::TestWithParam<Mesh_family>
+{};
 
 INSTANTIATE_TEST_SUITE_P(Families, Sliding_of_families, ::testing::ValuesIn(mesh_families()), Family_name());
 
@@ -34,10 +35,14 @@ int dimension_on_surface(Vertex_kind kind)
 {
   switch (kind) {
   case Vertex_kind::FIXED:
-  case Vertex_kind::CORNER: return 0;
-  case Vertex_kind::FEATURE: return 1;
-  case Vertex_kind::SURFACE: return 2;
-  default: return 3;
+  case Vertex_kind::CORNER:
+    return 0;
+  case Vertex_kind::FEATURE:
+    return 1;
+  case Vertex_kind::SURFACE:
+    return 2;
+  default:
+    return 3;
   }
 }
 
@@ -45,10 +50,14 @@ int dimension_on_surface(Vertex_kind kind)
 double distance(const Attached_mesh& s, std::size_t v, const Vector_3& p)
 {
   switch (s.attachment.kind[v]) {
-  case Vertex_kind::CORNER: return (s.attachment.corner[v] - p).norm();
-  case Vertex_kind::FEATURE: return (s.surface->curves[s.attachment.curve[v]]->closest_point(p).point - p).norm();
-  case Vertex_kind::SURFACE: return (s.surface->closest_point(p).point - p).norm();
-  default: return 0;
+  case Vertex_kind::CORNER:
+    return (s.attachment.corner[v] - p).norm();
+  case Vertex_kind::FEATURE:
+    return (s.surface->curves[s.attachment.curve[v]]->closest_point(p).point - p).norm();
+  case Vertex_kind::SURFACE:
+    return (s.surface->closest_point(p).point - p).norm();
+  default:
+    return 0;
   }
 }
 
@@ -57,7 +66,8 @@ TEST_P(Sliding_of_families, has_the_freedoms_of_what_vertices_are_attached_to)
   Attached_mesh s(GetParam()());
   for (std::size_t v = 0; v < s.points.size(); v += 5)
     s.fix(v);
-  const Freedoms within = s.sliding().freedoms(s.points), on = s.sliding(Boundary_placement::ON_SURFACE).freedoms(s.points);
+  const Freedoms within = s.sliding().freedoms(s.points),
+                 on = s.sliding(Boundary_placement::ON_SURFACE).freedoms(s.points);
   for (std::size_t v = 0; v < s.points.size(); ++v) {
     const int dimension = dimension_on_surface(s.attachment.kind[v]);
     EXPECT_EQ(on[v].dimension(), dimension) << v;
@@ -150,7 +160,8 @@ struct Block_with_turns
       if (is_on_rim(e[0]) && is_on_rim(e[1]) && is_along)
         rim.push_back(e);
     }
-    return std::make_unique<Reference_surface>(mesh.points, boundary_triangles(mesh.complex), rim, true, Feature_parameters());
+    return std::make_unique<Reference_surface>(mesh.points, boundary_triangles(mesh.complex), rim, true,
+                                               Feature_parameters());
   }
 };
 

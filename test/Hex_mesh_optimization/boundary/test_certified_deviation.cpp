@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The certified distance is above every sample and below what it promises, exact where that is known, and the same in any
-// number of threads and in any place.
+// The certified distance is above every sample and below what it promises, exact where that is known, and the same in
+// any number of threads and in any place.
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
@@ -77,7 +77,8 @@ void expect_same(const Certified_deviation& a, const Certified_deviation& b, dou
 TEST(Certified_deviation, of_parallel_sheets_is_their_distance)
 {
   for (double height : {.3, 1e-3, 1e-6})
-    for (std::pair<int, int> n : {std::make_pair(1, 1), std::make_pair(3, 4), std::make_pair(1, 25), std::make_pair(20, 7)}) {
+    for (std::pair<int, int> n :
+         {std::make_pair(1, 1), std::make_pair(3, 4), std::make_pair(1, 25), std::make_pair(20, 7)}) {
       const Triangle_surface low = sheet(n.first), high = sheet(n.second, 1, Vector_3(0, 0, height));
       const Certified_deviation d = certified_distance(low, high, height + 1e-10);
       EXPECT_TRUE(d.is_shown) << n.first << ' ' << n.second << ": " << d.upper_bound << " of " << height;
@@ -147,7 +148,8 @@ TEST(Certified_deviation, is_infinite_for_a_surface_without_area)
 
 // --- Over families of meshes ---------------------------------------------------------------
 
-class Certified_deviation_of : public ::testing::TestWithParam<Mesh_family> {};
+class Certified_deviation_of : public ::testing::TestWithParam<Mesh_family>
+{};
 INSTANTIATE_TEST_SUITE_P(families, Certified_deviation_of, ::testing::ValuesIn(mesh_families()), Family_name());
 
 Positions jittered(const Mesh_family& family, double edges, unsigned seed)
@@ -162,10 +164,15 @@ Triangle_surface split_otherwise(const Indexed_mesh& mesh)
 {
   Positions points;
   std::vector<Triangle_indices> triangles;
-  for_boundary(mesh, [&](const Indexed_mesh::Point& p) {
-    points.emplace_back(p.x(), p.y(), p.z());
-    return static_cast<int>(points.size()) - 1;
-  }, [&](int a, int b, int c) { triangles.push_back({a, b, c}); });
+  for_boundary(
+    mesh,
+    [&](const Indexed_mesh::Point& p) {
+      points.emplace_back(p.x(), p.y(), p.z());
+      return static_cast<int>(points.size()) - 1;
+    },
+    [&](int a, int b, int c) {
+      triangles.push_back({a, b, c});
+    });
   return Triangle_surface(points, triangles);
 }
 
@@ -212,7 +219,8 @@ TEST_P(Certified_deviation_of, is_valid_when_it_ends_early)
 {
   const Indexed_mesh mesh = GetParam()();
   const Hexahedral_complex complex = mesh.complex();
-  const Triangle_surface reference = split_otherwise(mesh), boundary(jittered(GetParam(), .1, 3), boundary_triangles(complex));
+  const Triangle_surface reference = split_otherwise(mesh),
+                         boundary(jittered(GetParam(), .1, 3), boundary_triangles(complex));
   const double sampled = largest_sample(boundary, reference, .05 * mesh.mean_edge_length());
   double before = infinity;
   for (std::size_t pieces : {1, 2, 8, 64}) {
@@ -250,7 +258,8 @@ TEST_P(Certified_deviation_of, is_the_same_wherever_the_surfaces_are)
   for (double scale : {std::ldexp(1, 40), std::ldexp(1, -40)})
     expect_same(d, certified([&](const Vector_3& p) { return Vector_3(scale * p); }, scale * target), scale);
   const Matrix_3 rotation = Eigen::AngleAxisd(1, Vector_3(1, 2, 3).normalized()).toRotationMatrix();
-  const Certified_deviation rotated = certified([&](const Vector_3& p) { return Vector_3(rotation * p + Vector_3(5, -3, 2)); }, target);
+  const Certified_deviation rotated =
+    certified([&](const Vector_3& p) { return Vector_3(rotation * p + Vector_3(5, -3, 2)); }, target);
   EXPECT_NEAR(rotated.upper_bound, d.upper_bound, .011 * d.upper_bound);
   EXPECT_EQ(rotated.is_shown, d.is_shown);
 }
@@ -299,7 +308,8 @@ TEST(Bilinear_excess, is_reached_at_the_center_of_a_face_and_nowhere_exceeded)
     const double excess = bilinear_excess(complex, points);
     double at_centers = 0;
     for (const auto& f : complex.boundary_faces) {
-      const Vector_3 &a = points[f.vertices[0]], &b = points[f.vertices[1]], &c = points[f.vertices[2]], &d = points[f.vertices[3]];
+      const Vector_3 &a = points[f.vertices[0]], &b = points[f.vertices[1]], &c = points[f.vertices[2]],
+                     &d = points[f.vertices[3]];
       at_centers = (std::max)(at_centers, ((a + b + c + d) / 4 - (a + c) / 2).norm());
       const Triangle_surface triangles({a, b, c, d}, {{0, 1, 2}, {0, 2, 3}});
       for (double u = 0; u <= 1; u += .125)

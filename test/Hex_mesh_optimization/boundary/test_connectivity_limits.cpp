@@ -236,9 +236,7 @@ struct Star
   Hexahedral_complex complex;
   Boundary_attachment attachment;
 
-  explicit Star(const std::vector<std::array<int, 3>>& triangles)
-    : complex(of(triangles))
-    , attachment(complex)
+  explicit Star(const std::vector<std::array<int, 3>>& triangles) : complex(of(triangles)), attachment(complex)
   {
     for (std::size_t v = 1; v < attachment.kind.size(); ++v)
       if (complex.is_on_boundary[v])
@@ -301,14 +299,16 @@ TEST(Connectivity_limits, at_interior_vertices)
     icosahedron.push_back({11, 5 + j, 5 + i});
   }
   const Star of_four(tetrahedron), of_eight(octahedron), of_twenty(icosahedron);
-  const Limits four = limits(of_four.complex, of_four.attachment), twenty = limits(of_twenty.complex, of_twenty.attachment);
+  const Limits four = limits(of_four.complex, of_four.attachment),
+               twenty = limits(of_twenty.complex, of_twenty.attachment);
   EXPECT_TRUE(limits(of_eight.complex, of_eight.attachment).empty());
   EXPECT_EQ(four.size(), 4u);
   EXPECT_EQ(twenty.size(), 20u);
   // neighboring corners of a regular tetrahedron and icosahedron, seen from the center, have these cosines
   for (const auto& expected : {std::make_pair(four, -1. / 3), std::make_pair(twenty, 1 / std::sqrt(5.))})
     for (const auto& l : expected.first)
-      expect_limit(expected.first, l.first, Reason::INTERIOR_VERTEX, (1 - expected.second) * std::sqrt(1 + 2 * expected.second));
+      expect_limit(expected.first, l.first, Reason::INTERIOR_VERTEX,
+                   (1 - expected.second) * std::sqrt(1 + 2 * expected.second));
 }
 
 TEST(Connectivity_limits, at_interior_edges)
@@ -376,7 +376,9 @@ Indexed_mesh rhombi(int n, double degrees)
   const int sides = closed ? n : n + 1, layer = 1 + sides + n;
   const double angle = degrees / n * pi / 180;
   Indexed_mesh mesh;
-  const auto direction = [&](int i) { return Indexed_mesh::Kernel::Vector_3(std::cos(i * angle), std::sin(i * angle), 0); };
+  const auto direction = [&](int i) {
+    return Indexed_mesh::Kernel::Vector_3(std::cos(i * angle), std::sin(i * angle), 0);
+  };
   for (int z = 0; z <= 3; ++z) {
     const Indexed_mesh::Point center(0, 0, z);
     mesh.points.push_back(center);

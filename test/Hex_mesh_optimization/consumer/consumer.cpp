@@ -26,6 +26,7 @@ int main()
   const CGAL::Hex_mesh_optimization::Status status =
     CGAL::optimize_hex_mesh(points, hexahedra, CGAL::parameters::features_angle_bound(60));
 
-  std::cout << status.before.number_of_inverted << " inverted before, " << status.after.number_of_inverted << " after\n";
+  std::cout << status.before.number_of_inverted << " inverted before, " << status.after.number_of_inverted
+            << " after\n";
   return status.before.number_of_inverted > 0 && status.valid_mesh() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -24,7 +24,8 @@ namespace {
 
 using namespace CGAL::Hex_mesh_optimization::internal;
 
-class Boundary_energy_of_families : public ::testing::TestWithParam<Mesh_family> {};
+class Boundary_energy_of_families : public ::testing::TestWithParam<Mesh_family>
+{};
 
 INSTANTIATE_TEST_SUITE_P(Families, Boundary_energy_of_families, ::testing::ValuesIn(mesh_families()), Family_name());
 

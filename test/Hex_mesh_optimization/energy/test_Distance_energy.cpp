@@ -28,7 +28,8 @@ TEST(Distance_energy, is_least_and_smooth_at_zero)
 {
   for (const Distance_energy& energy : distance_energies) {
     EXPECT_EQ(energy.value(0), 0);
-    EXPECT_NEAR(energy.derivatives(0).slope, energy.linear_weight / energy.linear_distance, 1e-12 * energy.derivatives(0).slope);
+    EXPECT_NEAR(energy.derivatives(0).slope, energy.linear_weight / energy.linear_distance,
+                1e-12 * energy.derivatives(0).slope);
     EXPECT_NEAR(energy.derivatives(1e-9).slope, energy.derivatives(0).slope, 1e-9 * energy.derivatives(0).slope);
   }
 }
@@ -38,7 +39,8 @@ TEST(Distance_energy, goes_smoothly_over_to_its_tangent)
   for (const Distance_energy& energy : distance_energies) {
     const double d = 2 * energy.steep_distance, h = 1e-9;
     EXPECT_NEAR(energy.value((1 - h) * d), energy.value((1 + h) * d), 1e-7 * energy.value(d));
-    EXPECT_NEAR(energy.derivatives((1 - h) * d).slope, energy.derivatives((1 + h) * d).slope, 1e-7 * energy.derivatives(d).slope);
+    EXPECT_NEAR(energy.derivatives((1 - h) * d).slope, energy.derivatives((1 + h) * d).slope,
+                1e-7 * energy.derivatives(d).slope);
   }
 }
 
@@ -53,7 +55,8 @@ TEST(Distance_energy, grows_and_is_not_underestimated_by_its_model)
       EXPECT_GT(now.slope, 0);
       EXPECT_GE(now.growth, 0);
       const double h = 1e-4 * d;
-      const double second = (energy.derivatives(d + h).slope * (d + h) - energy.derivatives(d - h).slope * (d - h)) / (2 * h);
+      const double second = (energy.derivatives(d + h).slope * (d + h) - energy.derivatives(d - h).slope * (d - h)) /
+                            (2 * h);
       EXPECT_GE(now.slope + now.growth * d * d, second * (1 - 1e-5)) << d;
     }
   }

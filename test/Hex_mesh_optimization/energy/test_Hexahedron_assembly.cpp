@@ -48,7 +48,8 @@ Eigen::Matrix<double, 24, 24> random_matrix(std::mt19937& random)
 {
   Eigen::Matrix<double, 24, 24> A = Eigen::Matrix<double, 24, 24>::Identity();
   for (const auto& face : hexahedron_faces) {
-    const Eigen::Matrix<double, 12, 12> R = Eigen::Matrix<double, 12, 12>::NullaryExpr([&] { return uniform(random, -1, 1); });
+    const Eigen::Matrix<double, 12, 12> R = Eigen::Matrix<double, 12, 12>::NullaryExpr(
+      [&] { return uniform(random, -1, 1); });
     const Eigen::Matrix<double, 12, 12> S = R.transpose() * R;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)

@@ -41,7 +41,9 @@ using Corners = std::array<Vector_3, 8>;
 Matrix_3 random_rotation(std::mt19937& random)
 {
   std::normal_distribution<double> normal;
-  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized().toRotationMatrix();
+  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+    .normalized()
+    .toRotationMatrix();
 }
 
 Corners box(const Vector_3& size)
@@ -90,7 +92,10 @@ struct Element
     return result;
   }
 
-  double value(const Hexahedron_energy& energy) const { return energy.value(frame(), inverse_targets().data(), floor.data()); }
+  double value(const Hexahedron_energy& energy) const
+  {
+    return energy.value(frame(), inverse_targets().data(), floor.data());
+  }
 
   Hexahedron_derivatives<double> derivatives(const Hexahedron_energy& energy) const
   {
@@ -129,8 +134,8 @@ struct Element
   }
 };
 
-// Boxes from slightly to badly distorted; target lengths from their own ones to others altogether; floors below, among and
-// above the scaled Jacobians
+// Boxes from slightly to badly distorted; target lengths from their own ones to others altogether; floors below, among
+// and above the scaled Jacobians
 template <class Test>
 void for_random_elements(int trials, const Test& test)
 {
@@ -138,7 +143,8 @@ void for_random_elements(int trials, const Test& test)
   int valid = 0;
   for (int trial = 0; valid < trials; ++trial) {
     SCOPED_TRACE(trial);
-    const double flatness = trial % 3, distortion = .1 + .05 * (trial % 8), freedom = trial % 4 * .4, floor = trial % 5 * .3;
+    const double flatness = trial % 3, distortion = .1 + .05 * (trial % 8), freedom = trial % 4 * .4,
+                 floor = trial % 5 * .3;
     Element e;
     e.x = box(Vector_3(1, std::pow(2., flatness), std::pow(.5, flatness)));
     e.lengths = lengths_of(e.x);
@@ -239,7 +245,9 @@ TEST(Hexahedron_energy, is_the_same_for_several_hexahedra_at_once)
           found.coupling[k][n] = lane(d.coupling[k][n], l);
       const Eigen::Matrix<double, 24, 24> A = Element::dense(expected), B = Element::dense(found);
       EXPECT_LT((A - B).norm(), 1e-4 * A.norm());
-      const auto gradient = [](const Hexahedron_derivatives<double>& of) { return Eigen::Map<const Eigen::Matrix<double, 24, 1>>(&of.gradient[0][0]); };
+      const auto gradient = [](const Hexahedron_derivatives<double>& of) {
+        return Eigen::Map<const Eigen::Matrix<double, 24, 1>>(&of.gradient[0][0]);
+      };
       EXPECT_LT((gradient(found) - gradient(expected)).norm(), 1e-4 * gradient(expected).norm() + 1e-5 * A.norm());
     }
   }
@@ -287,7 +295,7 @@ TEST(Hexahedron_energy, is_infinite_where_a_corner_is_inverted)
   flat.x[0] = Vector_3(.5, .5, 0); // on a line with its neighbors 1 and 3
   EXPECT_EQ(worst_corner(flat.x), 0);
   EXPECT_GT(flat.value(energy), 1e4); // the scaled Jacobian may be a rounding error above 0
-  flat.x[1] = flat.x[0]; // an edge without length
+  flat.x[1] = flat.x[0];              // an edge without length
   EXPECT_EQ(flat.value(energy), std::numeric_limits<double>::infinity());
 }
 

@@ -15,10 +15,7 @@ namespace fuzz {
 class Byte_reader
 {
 public:
-  Byte_reader(const std::uint8_t* data, std::size_t size)
-    : next_(data)
-    , end_(data + size)
-  {}
+  Byte_reader(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
 
   bool is_empty() const { return next_ == end_; }
   std::uint8_t byte() { return is_empty() ? 0 : *next_++; }

@@ -41,7 +41,8 @@ public:
   // The name of a file with these bytes, which the next call overwrites.
   std::string operator()(const std::uint8_t* data, std::size_t size) const
   {
-    std::ofstream(name("input"), std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    std::ofstream(name("input"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
     return name("input");
   }
 

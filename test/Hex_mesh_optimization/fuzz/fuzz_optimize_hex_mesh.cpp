@@ -53,7 +53,8 @@ Options read_options(fuzz::Byte_reader& bytes)
 {
   using HMO::Method;
   Options o;
-  o.method = std::array<Method, 4>{Method::FULL, Method::RECTIFICATION, Method::MAXIMIZATION, Method::FULL}[bytes.below(4)];
+  o.method = std::array<Method, 4>{Method::FULL, Method::RECTIFICATION, Method::MAXIMIZATION,
+                                   Method::FULL}[bytes.below(4)];
   o.iterations = bytes.below(4);
   o.restarts = bytes.below(2);
   o.calls = int(bytes.below(16));
@@ -69,7 +70,9 @@ std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(), p.z()}
 void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
 {
   const auto any_vertex = [&] { return bytes.below(mesh.points.size()); };
-  const auto any_hexahedron = [&]() -> std::array<std::size_t, 8>& { return mesh.hexahedra[bytes.below(mesh.hexahedra.size())]; };
+  const auto any_hexahedron = [&]() -> std::array<std::size_t, 8>& {
+    return mesh.hexahedra[bytes.below(mesh.hexahedra.size())];
+  };
   const auto set = [&](std::size_t v, const std::array<double, 3>& p) { mesh.points[v] = Point(p[0], p[1], p[2]); };
   switch (bytes.below(mesh.hexahedra.empty() ? 6 : 12)) {
   case 0: { // a small move
@@ -166,7 +169,8 @@ Surface_mesh read_reference(fuzz::Byte_reader& bytes)
   return surface;
 }
 
-void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_frozen, bool is_on_reference, const HMO::Status& status)
+void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_frozen, bool is_on_reference,
+                        const HMO::Status& status)
 {
   for (std::size_t v = 0; v < before.points.size(); ++v) {
     fuzz::require(!is_frozen[v] || same_bits(before.points[v], after.points[v]), "frozen vertices stay");
@@ -183,7 +187,8 @@ void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_fro
   fuzz::require(b.number_of_inverted <= a.number_of_inverted, "the number of inverted hexahedra does not rise");
   if (invalid_hexahedra(before).empty()) {
     fuzz::require(invalid.empty(), "a valid mesh stays valid");
-    fuzz::require(!is_on_reference || b.minimum >= a.minimum, "the minimum of a valid mesh on its reference does not fall");
+    fuzz::require(!is_on_reference || b.minimum >= a.minimum,
+                  "the minimum of a valid mesh on its reference does not fall");
   }
   fuzz::require(status.invalid_hexahedra == invalid, "the status lists the invalid hexahedra");
   fuzz::require(status.valid_mesh() == invalid.empty(), "the status knows whether the mesh is valid");
@@ -225,7 +230,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(same_bits(mesh.points[v], before.points[v]), "what is refused is unchanged");
     return 0;
   }
-  fuzz::require(mesh.hexahedra == before.hexahedra && mesh.points.size() == before.points.size(), "the connectivity stays");
+  fuzz::require(mesh.hexahedra == before.hexahedra && mesh.points.size() == before.points.size(),
+                "the connectivity stays");
   require_guarantees(before, mesh, is_frozen, !options.has_reference, status);
   return 0;
 }

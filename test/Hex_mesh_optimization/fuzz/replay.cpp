@@ -31,7 +31,8 @@ try {
       const std::size_t step = bytes.size() / 100 + 1;
       for (std::size_t size = bytes.size();; size -= step) {
         std::fprintf(stderr, "%s, %zu bytes\r", entry.path().c_str(), size);
-        const std::vector<char> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)); // no byte more can be read
+        const std::vector<char> prefix(bytes.begin(),
+                                       bytes.begin() + static_cast<std::ptrdiff_t>(size)); // no byte more can be read
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(prefix.data()), size);
         ++runs;
         if (size < step)

@@ -41,10 +41,15 @@ TEST(Named_parameters, left_out_are_the_defaults)
 
 TEST(Named_parameters, that_are_given_reach_the_engine)
 {
-  const Optimization_parameters p = optimization_parameters(
-    params::fixed_boundary(true).target_quality(.4).maximum_deviation(.5).maximum_running_time(6)
-      .features_angle_bound(70).number_of_iterations(8).surface_weight(9)
-      .boundary_placement(HMO::Boundary_placement::ON_SURFACE), keys);
+  const Optimization_parameters p = optimization_parameters(params::fixed_boundary(true)
+                                                              .target_quality(.4)
+                                                              .maximum_deviation(.5)
+                                                              .maximum_running_time(6)
+                                                              .features_angle_bound(70)
+                                                              .number_of_iterations(8)
+                                                              .surface_weight(9)
+                                                              .boundary_placement(HMO::Boundary_placement::ON_SURFACE),
+                                                            keys);
   EXPECT_TRUE(p.fixed_boundary);
   EXPECT_EQ(p.target_quality, .4);
   EXPECT_EQ(p.maximum_deviation, .5);
@@ -96,7 +101,8 @@ TEST(Named_parameters, that_are_maps_are_asked_by_the_keys_of_the_caller)
 {
   const Optimization_parameters p = optimization_parameters(params::target_edge_length_map(Length_map()), keys);
   EXPECT_EQ(p.target_length(2, 0), 12.1);
-  EXPECT_EQ(frozen_vertices(params::vertex_is_constrained_map(Is_even()), keys), (std::vector<char>{true, false, true}));
+  EXPECT_EQ(frozen_vertices(params::vertex_is_constrained_map(Is_even()), keys),
+            (std::vector<char>{true, false, true}));
 }
 
 struct Counting_visitor

@@ -64,8 +64,8 @@ TEST(Triangle_mesh_to_reference, takes_points_from_a_map_and_edges_that_are_mark
   auto marks = surface.add_property_map<Surface::Edge_index, bool>("e:mark", false).first;
   const auto marked = *surface.edges().begin();
   marks[marked] = true;
-  const Reference_input reference
-    = triangle_mesh_to_reference(surface, CGAL::parameters::vertex_point_map(points).edge_is_constrained_map(marks));
+  const Reference_input reference =
+    triangle_mesh_to_reference(surface, CGAL::parameters::vertex_point_map(points).edge_is_constrained_map(marks));
   EXPECT_TRUE(reference.sharp_is_given);
   ASSERT_EQ(reference.sharp.size(), 1u);
   for (const int end : {0, 1}) {

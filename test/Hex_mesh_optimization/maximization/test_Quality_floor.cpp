@@ -90,7 +90,7 @@ TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
   Quality_floor floor(batches, parameters);
   floor.rise(Mesh_quality(complex, good));
   std::vector<std::array<double, 8>> before(complex.hexahedra.size()); // floors of the corners
-  const auto hold = [&](const Positions& points) { // returns how many corners are lifted
+  const auto hold = [&](const Positions& points) {                     // returns how many corners are lifted
     floor.hold(Mesh_quality(complex, points), points);
     int lifted = 0;
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
@@ -120,7 +120,8 @@ TEST(Quality_floor, lifts_only_corners_below_what_it_holds)
   EXPECT_LT(lifted, 8 * 8) << "of the corners around one vertex";
   for (int round = 0; round < 40; ++round)
     EXPECT_EQ(hold(poor), lifted);
-  for (int round = 0; round < 400; ++round) // a floor comes down by a part of what the corner has above the one that is held
+  for (int round = 0; round < 400;
+       ++round) // a floor comes down by a part of what the corner has above the one that is held
     EXPECT_LE(hold(good), lifted);
   EXPECT_EQ(hold(good), 0);
 }
@@ -147,7 +148,8 @@ TEST(Quality_floor, fades_from_where_it_had_risen)
     const auto corners = hexahedron_corners(points, complex.hexahedra[h]);
     for (int c = 0; c < 8; ++c) {
       const double above = corner_at(corners.data(), c).scaled_jacobian - floor.held();
-      EXPECT_NEAR(floor.floors().get(h, c), (std::max)(floor.held() + parameters.margin, risen - parameters.lift_rate * above), 1e-6);
+      EXPECT_NEAR(floor.floors().get(h, c),
+                  (std::max)(floor.held() + parameters.margin, risen - parameters.lift_rate * above), 1e-6);
     }
   }
 }
@@ -169,7 +171,8 @@ TEST(Quality_floor, holds_no_more_than_was_reached)
     EXPECT_LE(floor.held(), (std::max)(0., quality.minimum));
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
       for (int c = 0; c < 8; ++c)
-        EXPECT_NEAR(floor.floors().get(h, c), floor.held() + parameters.margin, 1e-6) << "nothing is below what is held";
+        EXPECT_NEAR(floor.floors().get(h, c), floor.held() + parameters.margin, 1e-6)
+          << "nothing is below what is held";
   }
 }
 

@@ -23,9 +23,11 @@ namespace {
 namespace HMO = CGAL::Hex_mesh_optimization;
 using namespace CGAL::Hex_mesh_optimization::internal;
 
-class Quality_maximization_of_families : public ::testing::TestWithParam<Mesh_family> {};
+class Quality_maximization_of_families : public ::testing::TestWithParam<Mesh_family>
+{};
 
-INSTANTIATE_TEST_SUITE_P(Families, Quality_maximization_of_families, ::testing::ValuesIn(mesh_families()), Family_name());
+INSTANTIATE_TEST_SUITE_P(Families, Quality_maximization_of_families, ::testing::ValuesIn(mesh_families()),
+                         Family_name());
 
 void run(Attached_mesh& s, Run_control& control)
 {
@@ -60,7 +62,8 @@ void for_scrambled(const Mesh_family& family, const Test& test)
 // The most iterations that the second phase takes to be fully tight
 std::size_t tightening_iterations(const Maximization_parameters& p)
 {
-  return static_cast<std::size_t>(std::ceil(-std::log(p.start_tightness) / std::log(p.tightening))) * (p.waiting_patience + 1);
+  return static_cast<std::size_t>(std::ceil(-std::log(p.start_tightness) / std::log(p.tightening))) *
+         (p.waiting_patience + 1);
 }
 
 TEST_P(Quality_maximization_of_families, keeps_a_valid_mesh_valid_and_its_minimum)

@@ -93,13 +93,14 @@ TEST(Hold_corners, is_shortened_where_more_is_found_in_what_is_retracted)
   const Batched_values<1> least = same_for_all(complex, -1);
   const int watched = 0, v = complex.hexahedra[watched][0];
   Positions step(points.size(), Vector_3(.1, 0, 0));
-  hold_corners(complex, Hexahedron_batches(complex), points, least, 20, [&](Positions& p) { p[v].z() += 1; },
-               [&](const Positions& reached, std::vector<char>& is_ruined) {
-                 EXPECT_EQ(reached[v].z(), points[v].z() + 1);
-                 if (reached[v].x() - points[v].x() > .03)
-                   is_ruined[watched] = true;
-               },
-               step);
+  hold_corners(
+    complex, Hexahedron_batches(complex), points, least, 20, [&](Positions& p) { p[v].z() += 1; },
+    [&](const Positions& reached, std::vector<char>& is_ruined) {
+      EXPECT_EQ(reached[v].z(), points[v].z() + 1);
+      if (reached[v].x() - points[v].x() > .03)
+        is_ruined[watched] = true;
+    },
+    step);
   for (std::size_t u = 0; u < points.size(); ++u) {
     const Hexahedron& h = complex.hexahedra[watched];
     const bool is_held = std::find(h.begin(), h.end(), static_cast<int>(u)) != h.end();

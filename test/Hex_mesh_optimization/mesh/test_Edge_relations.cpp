@@ -41,7 +41,8 @@ TEST(Edge_relations, of_two_hexahedra)
   const Edge_relations relations(complex);
 
   // Across the two cubes one edge continues another four times
-  EXPECT_EQ(vertex_pairs(complex, relations.consecutive), (std::set<std::pair<int, int>>{{0, 1}, {3, 4}, {6, 7}, {9, 10}}));
+  EXPECT_EQ(vertex_pairs(complex, relations.consecutive),
+            (std::set<std::pair<int, int>>{{0, 1}, {3, 4}, {6, 7}, {9, 10}}));
   for (const Edge_pair& p : relations.consecutive)
     EXPECT_EQ(complex.target(p.first), complex.source(p.second));
 
@@ -135,7 +136,8 @@ TEST(Edge_relations, of_a_closed_ring)
   EXPECT_EQ(relations.consecutive.size(), 12u); // four edges around, each continued at either end
   for (const Edge_pair& p : relations.consecutive) {
     EXPECT_NE(p.first / 2, p.second / 2);
-    EXPECT_TRUE(complex.target(p.first) == complex.source(p.second) || complex.target(p.second) == complex.source(p.first));
+    EXPECT_TRUE(complex.target(p.first) == complex.source(p.second) ||
+                complex.target(p.second) == complex.source(p.first));
   }
 }
 

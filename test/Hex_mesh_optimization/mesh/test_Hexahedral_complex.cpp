@@ -35,9 +35,9 @@ TEST(Hexahedral_complex, of_two_hexahedra)
   const Block block(2, 1, 1);
   const Hexahedral_complex complex = block.complex();
   ASSERT_EQ(complex.number_of_vertices(), 12u);
-  const std::vector<std::array<int, 2>> edges = {
-    {0, 1}, {0, 3}, {0, 6}, {1, 2}, {1, 4}, {1, 7}, {2, 5}, {2, 8}, {3, 4}, {3, 9},
-    {4, 5}, {4, 10}, {5, 11}, {6, 7}, {6, 9}, {7, 8}, {7, 10}, {8, 11}, {9, 10}, {10, 11}};
+  const std::vector<std::array<int, 2>> edges = {{0, 1}, {0, 3}, {0, 6},  {1, 2},  {1, 4},  {1, 7},  {2, 5},
+                                                 {2, 8}, {3, 4}, {3, 9},  {4, 5},  {4, 10}, {5, 11}, {6, 7},
+                                                 {6, 9}, {7, 8}, {7, 10}, {8, 11}, {9, 10}, {10, 11}};
   EXPECT_EQ(complex.edges, edges);
 
   ASSERT_EQ(complex.interior_faces.size(), 1u);
@@ -45,7 +45,7 @@ TEST(Hexahedral_complex, of_two_hexahedra)
   EXPECT_EQ(complex.interior_faces[0][1], std::make_pair(1, 5));
 
   ASSERT_EQ(complex.boundary_faces.size(), 10u);
-  const std::array<int, 4> faces[10] = {{0, 3, 4, 1}, {6, 7, 10, 9}, {0, 1, 7, 6}, {4, 3, 9, 10}, {3, 0, 6, 9},
+  const std::array<int, 4> faces[10] = {{0, 3, 4, 1}, {6, 7, 10, 9},  {0, 1, 7, 6}, {4, 3, 9, 10}, {3, 0, 6, 9},
                                         {1, 4, 5, 2}, {7, 8, 11, 10}, {1, 2, 8, 7}, {2, 5, 11, 8}, {5, 4, 10, 11}};
   for (int f = 0; f < 10; ++f) {
     EXPECT_EQ(complex.boundary_faces[f].vertices, faces[f]) << f;
@@ -69,7 +69,10 @@ TEST(Hexahedral_complex, of_two_hexahedra)
   EXPECT_EQ(complex.is_boundary_edge, std::vector<char>(20, true));
   for (int v = 0; v < 12; ++v) {
     const int i = v % 3;
-    EXPECT_EQ(as_set(complex.vertex_hexahedra[v]), i == 0 ? std::set<int>{0} : i == 2 ? std::set<int>{1} : (std::set<int>{0, 1})) << v;
+    EXPECT_EQ(as_set(complex.vertex_hexahedra[v]), i == 0   ? std::set<int>{0}
+                                                   : i == 2 ? std::set<int>{1}
+                                                            : (std::set<int>{0, 1}))
+      << v;
     EXPECT_EQ(complex.vertex_boundary_faces[v].size(), i == 1 ? 4u : 3u) << v;
   }
 }
@@ -141,8 +144,9 @@ void expect_euler(const char* name, int of_solid, int of_boundary, Make make)
   const Hexahedral_complex complex(points.size(), hexahedra);
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
   EXPECT_EQ(2 * n(complex.interior_faces.size()) + n(complex.boundary_faces.size()), 6 * n(hexahedra.size()));
-  EXPECT_EQ(n(points.size()) - n(complex.edges.size()) + n(complex.interior_faces.size()) + n(complex.boundary_faces.size()) -
-              n(hexahedra.size()), of_solid);
+  EXPECT_EQ(n(points.size()) - n(complex.edges.size()) + n(complex.interior_faces.size()) +
+              n(complex.boundary_faces.size()) - n(hexahedra.size()),
+            of_solid);
   const int boundary_vertices = n(std::count(complex.is_on_boundary.begin(), complex.is_on_boundary.end(), char(true)));
   EXPECT_EQ(boundary_vertices - n(complex.boundary_edges.size()) + n(complex.boundary_faces.size()), of_boundary);
   EXPECT_EQ(n(std::count(complex.is_boundary_edge.begin(), complex.is_boundary_edge.end(), char(true))),

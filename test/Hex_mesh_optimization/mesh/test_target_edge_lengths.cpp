@@ -63,7 +63,9 @@ TEST(Target_edge_lengths, minimize_eq_22)
   for (unsigned int seed = 0; seed < 3; ++seed) {
     const Tangled_mesh s = seed == 2 ? tangled_cylinder(seed) : tangled_block(seed);
     const std::size_t n = s.complex.edges.size();
-    const auto length = [&](std::size_t e) { return (s.tangled[s.complex.edges[e][0]] - s.tangled[s.complex.edges[e][1]]).norm(); };
+    const auto length = [&](std::size_t e) {
+      return (s.tangled[s.complex.edges[e][0]] - s.tangled[s.complex.edges[e][1]]).norm();
+    };
     double mean = 0;
     std::size_t on_boundary = 0;
     for (std::size_t e = 0; e < n; ++e)
@@ -90,8 +92,8 @@ TEST(Target_edge_lengths, minimize_eq_22)
     Eigen::MatrixXd M(rows.size(), n);
     for (std::size_t r = 0; r < rows.size(); ++r)
       M.row(r) = rows[r];
-    const Eigen::VectorXd expected =
-      M.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
+    const Eigen::VectorXd expected = M.colPivHouseholderQr().solve(
+      Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
     const std::vector<double> lengths = estimate_edge_lengths(s.complex, s.relations, s.tangled);
     for (std::size_t e = 0; e < n; ++e)
       EXPECT_NEAR(lengths[e], expected[e], 1e-4 * mean) << e;

@@ -29,11 +29,18 @@ TEST(Hold_back, halves_until_nothing_is_ruined_or_the_rounds_are_over)
       for (Vector_3& p : reached)
         p += Vector_3(1, 0, 0);
       const Positions full = reached;
-      const std::vector<double> share = hold_back(complex, before, step, 5, ends_at_rest, [&](const Positions& at, std::vector<char>& is_ruined) {
-        std::fill(is_ruined.begin(), is_ruined.end(), false);
-        is_ruined[0] = (at[ruined[0]] - before[ruined[0]]).norm() > least + 1e-9;
-      }, reached);
-      const double kept = least == 1 ? 1 : least == .3 ? .25 : least == .1 && !ends_at_rest ? .0625 : ends_at_rest ? 0 : 1 / 32.;
+      const std::vector<double> share = hold_back(
+        complex, before, step, 5, ends_at_rest,
+        [&](const Positions& at, std::vector<char>& is_ruined) {
+          std::fill(is_ruined.begin(), is_ruined.end(), false);
+          is_ruined[0] = (at[ruined[0]] - before[ruined[0]]).norm() > least + 1e-9;
+        },
+        reached);
+      const double kept = least == 1                     ? 1
+                          : least == .3                  ? .25
+                          : least == .1 && !ends_at_rest ? .0625
+                          : ends_at_rest                 ? 0
+                                                         : 1 / 32.;
       for (std::size_t v = 0; v < before.size(); ++v) {
         const bool is_held = std::find(ruined.begin(), ruined.end(), static_cast<int>(v)) != ruined.end() && least < 1;
         EXPECT_EQ(share[v], is_held ? kept : 1) << v;

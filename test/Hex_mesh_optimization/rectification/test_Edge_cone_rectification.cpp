@@ -37,7 +37,9 @@ struct Rectified_block
   Rectification_parameters parameters;
 
   Rectified_block()
-    : mesh([](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_block(p, h, {{4, 4, 4}}, {{4, 4, 4}}); })
+    : mesh([](auto& p, auto& h) {
+      CGAL::Hex_mesh_optimization::make_block(p, h, {{4, 4, 4}}, {{4, 4, 4}});
+    })
     , surface(mesh.own_reference())
     , attachment(attach_to_own_boundary(mesh.complex, *surface))
     , relations(mesh.complex)
@@ -56,7 +58,8 @@ struct Rectified_block
   void run(Positions& points, Run_control& control, double target) const
   {
     const std::vector<double> lengths(mesh.complex.edges.size(), 1.);
-    Edge_cone_rectification(mesh.complex, relations, *surface, attachment, attachment.fixed_vertices(), lengths, parameters)
+    Edge_cone_rectification(mesh.complex, relations, *surface, attachment, attachment.fixed_vertices(), lengths,
+                            parameters)
       .run(points, control, target);
   }
 };
@@ -117,7 +120,10 @@ TEST(Edge_cone_rectification, ends_at_the_target_when_stopped_and_when_the_time_
   const std::size_t all = iterations(Run_control(), no_target);
   EXPECT_LT(iterations(Run_control(), .1), all);
   std::size_t calls = 0;
-  EXPECT_EQ(iterations(Run_control(no_target, [&](const CGAL::Hex_mesh_optimization::Iteration&) { return ++calls < 2; }), no_target), 2u);
+  EXPECT_EQ(iterations(Run_control(no_target,
+                                   [&](const CGAL::Hex_mesh_optimization::Iteration&) { return ++calls < 2; }),
+                       no_target),
+            2u);
   EXPECT_LE(iterations(Run_control(0), no_target), 1u);
 }
 

@@ -78,7 +78,8 @@ struct Setting
   double worst_cosine = 0;
 
   template <class Make>
-  Setting(unsigned int seed, Make make) : Setting(seed, Generated_mesh::generated(make)) {}
+  Setting(unsigned int seed, Make make) : Setting(seed, Generated_mesh::generated(make))
+  {}
 
   Setting(unsigned int seed, const std::pair<Positions, std::vector<Hexahedron>>& mesh)
     : regular(mesh.first)
@@ -133,7 +134,8 @@ struct Setting
         continue; // the target is worse than 90 degrees
       const int i = complex.source(int(d)), j = complex.target(int(d));
       const double normalization = ((start[j] - start[i]).norm() + lengths[d / 2]) / 2;
-      const double angle_weight = 1 + 10 * std::exp(-std::pow(targets[d].worst_cosine - worst_cosine, 2) / (2 * .3 * .3));
+      const double angle_weight = 1 +
+                                  10 * std::exp(-std::pow(targets[d].worst_cosine - worst_cosine, 2) / (2 * .3 * .3));
       sum += angle_weight * weight[d] * ((x[j] - x[i]) / normalization - targets[d].direction).squaredNorm();
     }
     return sum;
@@ -281,8 +283,10 @@ void for_all_settings(Test test)
         break;
       case 5: {
         const auto& q = s.complex.boundary_faces[2].vertices;
-        s.links.push_back({{q[0], q[1], q[2]}, {.5, .2, .3}, random_vector(random, 2), 1., 0., 0, true, Vector_3::Zero()});
-        s.links.push_back({{q[0], q[2], q[3]}, {.1, .8, .1}, random_vector(random, 2), 1., 0., 0, true, Vector_3::Zero()});
+        s.links.push_back(
+          {{q[0], q[1], q[2]}, {.5, .2, .3}, random_vector(random, 2), 1., 0., 0, true, Vector_3::Zero()});
+        s.links.push_back(
+          {{q[0], q[2], q[3]}, {.1, .8, .1}, random_vector(random, 2), 1., 0., 0, true, Vector_3::Zero()});
         s.link_weights = {3., .7};
         break;
       }
@@ -318,7 +322,8 @@ TEST(Global_step, is_tested_on_every_kind_of_vertex)
   EXPECT_GT(kinds[Vertex_kind::SURFACE], 0);
   EXPECT_GT(kinds[Vertex_kind::FEATURE], 0);
   EXPECT_EQ(kinds[Vertex_kind::CORNER], 8);
-  const auto valid = std::count_if(t.targets.begin(), t.targets.end(), [](const Target_direction& d) { return d.is_valid(); });
+  const auto valid = std::count_if(t.targets.begin(), t.targets.end(),
+                                   [](const Target_direction& d) { return d.is_valid(); });
   EXPECT_GT(valid, 10);
   EXPECT_LT(valid, int(t.targets.size()) - 10);
 }
@@ -408,7 +413,8 @@ TEST(Global_step, forgets_what_it_was_set_before)
   step->minimize(s.targets, s.worst_cosine, x);
   // other lengths and another boundary in between
   step->set_target_lengths(std::vector<double>(s.lengths.size(), 2.0));
-  step->set_boundary(*s.surface, *s.attachment, feet_on(*s.surface, s.regular), std::vector<double>(s.weights.size(), 5.0), 3, s.regular);
+  step->set_boundary(*s.surface, *s.attachment, feet_on(*s.surface, s.regular),
+                     std::vector<double>(s.weights.size(), 5.0), 3, s.regular);
   x = s.tangled;
   step->minimize(s.targets, s.worst_cosine, x);
   step->set_target_lengths(s.lengths);

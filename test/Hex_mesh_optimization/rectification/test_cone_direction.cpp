@@ -82,7 +82,8 @@ Cone random_cone(std::mt19937& random, bool with_surface)
     const double noise = 1.5 * uniform(random);
     for (std::size_t k = 0; k < valence; ++k) {
       const double angle = 2 * 3.14159265358979323846 * k / valence;
-      rim.push_back(Vector(std::cos(angle), std::sin(angle), noise * (2 * uniform(random) - 1)) + .5 * noise * random_direction(random));
+      rim.push_back(Vector(std::cos(angle), std::sin(angle), noise * (2 * uniform(random) - 1)) +
+                    .5 * noise * random_direction(random));
     }
     for (std::size_t k = 0; k < valence; ++k)
       cone.normals.push_back(rim[k].cross(rim[(k + 1) % valence]).normalized());
@@ -248,10 +249,7 @@ void expect_all_cases(const Tally& tally)
     EXPECT_GT(tally.planes_on_ball[planes], 5) << planes << " tight planes and the ball";
 }
 
-TEST(Cone_direction, is_optimal_or_proved_infeasible)
-{
-  expect_all_cases(check_random_cones(false, 6000));
-}
+TEST(Cone_direction, is_optimal_or_proved_infeasible) { expect_all_cases(check_random_cones(false, 6000)); }
 
 TEST(Cone_direction, is_optimal_or_proved_infeasible_with_surface_term)
 {
@@ -336,7 +334,8 @@ TEST(Cone_direction, of_opposite_normals_is_infeasible)
 TEST(Cone_direction, of_a_single_feasible_point_is_found)
 {
   const double s = 1 / std::sqrt(2.);
-  const std::vector<Vector> normals = {Vector(s, 0, s), Vector(-s / 2, s * std::sqrt(.75), s), Vector(-s / 2, -s * std::sqrt(.75), s)};
+  const std::vector<Vector> normals = {Vector(s, 0, s), Vector(-s / 2, s * std::sqrt(.75), s),
+                                       Vector(-s / 2, -s * std::sqrt(.75), s)};
   EXPECT_TRUE(cone_direction(normals, s - 1e-9).feasible);
   EXPECT_LT((cone_direction(normals, s - 1e-9).direction - Vector(0, 0, 1)).norm(), 1e-4);
   EXPECT_FALSE(cone_direction(normals, s + 1e-9).feasible);

@@ -32,15 +32,32 @@ struct Random_system
   Eigen::VectorXd b;
 
   explicit Random_system(unsigned int seed)
-    : system(n, {{{0, 1}}, {{0, 2}}, {{1, 2}}, {{2, 3}}, {{3, 4}}, {{3, 7}}, {{4, 5}}, {{0, 5}}, {{5, 6}}, {{6, 7}}, {{7, 8}},
-                 {{1, 8}}, {{8, 9}}, {{9, 10}}, {{10, 11}}, {{2, 11}}, {{0, 1}}, {{3, 4}}})
+    : system(n, {{{0, 1}},
+                 {{0, 2}},
+                 {{1, 2}},
+                 {{2, 3}},
+                 {{3, 4}},
+                 {{3, 7}},
+                 {{4, 5}},
+                 {{0, 5}},
+                 {{5, 6}},
+                 {{6, 7}},
+                 {{7, 8}},
+                 {{1, 8}},
+                 {{8, 9}},
+                 {{9, 10}},
+                 {{10, 11}},
+                 {{2, 11}},
+                 {{0, 1}},
+                 {{3, 4}}})
     , A(Eigen::MatrixXd::Zero(3 * n, 3 * n))
     , b(3 * n)
   {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(.1, 2);
-    const std::array<int, 2> pairs[] = {{{0, 1}}, {{0, 2}}, {{1, 2}}, {{2, 3}}, {{3, 4}}, {{3, 7}}, {{4, 5}}, {{0, 5}},
-                                        {{5, 6}}, {{6, 7}}, {{7, 8}}, {{1, 8}}, {{8, 9}}, {{9, 10}}, {{10, 11}}, {{2, 11}}};
+    const std::array<int, 2> pairs[] = {{{0, 1}}, {{0, 2}},  {{1, 2}},   {{2, 3}}, {{3, 4}}, {{3, 7}},
+                                        {{4, 5}}, {{0, 5}},  {{5, 6}},   {{6, 7}}, {{7, 8}}, {{1, 8}},
+                                        {{8, 9}}, {{9, 10}}, {{10, 11}}, {{2, 11}}};
     for (const auto& p : pairs) {
       const double w = uniform(random);
       for (int end = 0; end < 2; ++end) {
@@ -72,8 +89,8 @@ TEST(Vertex_system, has_the_energy_and_gradient_of_its_matrix)
     const Positions points = moved(Positions(s.n, Vector_3::Zero()), random, 2);
     const Eigen::VectorXd x = flat(points);
     EXPECT_NEAR(s.system.energy(points), x.dot(s.A * x) - 2 * s.b.dot(x), 1e-10);
-    const Eigen::VectorXd difference =
-      gradient([&](const Positions& p) { return s.system.energy(p); }, points) - 2 * (s.A * x - s.b);
+    const Eigen::VectorXd difference = gradient([&](const Positions& p) { return s.system.energy(p); }, points) -
+                                       2 * (s.A * x - s.b);
     EXPECT_LT(difference.norm(), 1e-8);
   }
 }

@@ -42,7 +42,10 @@ struct Dense_system
   }
 
   template <class Value>
-  Value precondition(std::size_t i, const Value& r) const { return (is_kept[i] ? 0 : 1 / matrix(i, i)) * r; }
+  Value precondition(std::size_t i, const Value& r) const
+  {
+    return (is_kept[i] ? 0 : 1 / matrix(i, i)) * r;
+  }
 
   bool is_fixed(std::size_t i) const { return is_kept[i] != 0; }
 };

@@ -61,7 +61,8 @@ Block_matrix chain_matrix()
     row.insert(row.end(), {v, v - 1});
     column.insert(column.end(), {v - 1, v});
   }
-  return Block_matrix(Grouped_array(n, row.size(), [&](std::size_t i) { return row[i]; }, [&](std::size_t i) { return column[i]; }));
+  return Block_matrix(Grouped_array(
+    n, row.size(), [&](std::size_t i) { return row[i]; }, [&](std::size_t i) { return column[i]; }));
 }
 
 Positions some_targets()
@@ -82,7 +83,8 @@ TEST(Newton_step, reaches_the_minimum_of_a_quadratic_energy_at_once)
   parameters.tolerance = 1e-6;
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(-1, 2, 0));
-  const double reached = newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted, parameters, matrix, points);
+  const double reached = newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted,
+                                     parameters, matrix, points);
   EXPECT_EQ(reached, energy.value(points));
   Positions gradient(n, Vector_3::Zero());
   energy.add_derivatives(points, gradient, matrix);
@@ -98,8 +100,9 @@ TEST(Newton_step, leaves_fixed_points_and_restricted_ones)
   Positions points = start;
   std::vector<char> is_fixed(n, false);
   is_fixed[2] = true;
-  newton_step(energy, all_but(is_fixed), [](Positions& step) { step[4] = Vector_3::Zero(); }, not_retracted, Newton_parameters(), matrix,
-              points);
+  newton_step(
+    energy, all_but(is_fixed), [](Positions& step) { step[4] = Vector_3::Zero(); }, not_retracted, Newton_parameters(),
+    matrix, points);
   for (int v = 0; v < n; ++v)
     EXPECT_EQ(points[v] == start[v], v == 2 || v == 4) << v;
 }
@@ -138,8 +141,8 @@ TEST(Newton_step, ends_where_points_are_retracted_to)
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(-1, 2, 0));
   const auto to_plane = [](Positions& p) { p[2].z() = 0; };
-  const double reached =
-    newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, to_plane, Newton_parameters(), matrix, points);
+  const double reached = newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, to_plane,
+                                     Newton_parameters(), matrix, points);
   EXPECT_EQ(points[2].z(), 0);
   EXPECT_EQ(reached, energy.value(points));
 }
@@ -150,7 +153,9 @@ TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(0, 0, 0));
   const double before = energy.value(points);
-  EXPECT_LT(newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted, Newton_parameters(), matrix, points), before);
+  EXPECT_LT(newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted, Newton_parameters(),
+                        matrix, points),
+            before);
   for (const Vector_3& p : points)
     EXPECT_LE(p.x(), .5);
 }

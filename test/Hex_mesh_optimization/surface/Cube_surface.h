@@ -31,12 +31,15 @@ struct Surface
   {
     Indexed_mesh block;
     CGAL::Hex_mesh_optimization::make_block(block.points, block.hexahedra, {{3, 3, 3}}, {{3, 3, 3}});
-    for_boundary(block,
-                 [&](const Indexed_mesh::Point& p) {
-                   points.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
-                   return static_cast<int>(points.size()) - 1;
-                 },
-                 [&](int a, int b, int c) { triangles.push_back({a, b, c}); });
+    for_boundary(
+      block,
+      [&](const Indexed_mesh::Point& p) {
+        points.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+        return static_cast<int>(points.size()) - 1;
+      },
+      [&](int a, int b, int c) {
+        triangles.push_back({a, b, c});
+      });
   }
 
   std::vector<Surface_sample> samples() const { return spread_samples(points, triangles, number_of_faces, spacing); }

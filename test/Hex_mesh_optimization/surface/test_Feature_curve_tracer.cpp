@@ -56,7 +56,8 @@ TEST(Feature_curves, of_a_cube_are_its_edges)
       EXPECT_EQ(extreme_coordinates(surface->points[v]), 3);
 
     const Boundary_attachment attachment = attach_to_own_boundary(mesh.complex, *surface);
-    const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE, Vertex_kind::CORNER};
+    const Vertex_kind kinds[4] = {Vertex_kind::INTERIOR, Vertex_kind::SURFACE, Vertex_kind::FEATURE,
+                                  Vertex_kind::CORNER};
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       EXPECT_EQ(attachment.kind[v], kinds[extreme_coordinates(mesh.points[v])]) << v;
       if (attachment.kind[v] == Vertex_kind::FEATURE) {
@@ -147,7 +148,8 @@ struct Triangulated
     triangles.push_back({a, c, d});
   }
 
-  Feature_curve_tracer trace(const Edge_list& sharp, bool keep_all = false, const Feature_parameters& parameters = {}) const
+  Feature_curve_tracer trace(const Edge_list& sharp, bool keep_all = false,
+                             const Feature_parameters& parameters = {}) const
   {
     return Feature_curve_tracer(points, triangles, sharp, keep_all, parameters);
   }
@@ -321,7 +323,8 @@ TEST(Feature_curve_tracer, keeps_single_edges_on_the_rim_alone)
   int on_rim = 0;
   for (const auto& edge : triangles) {
     on_rim += edge.second == 1;
-    EXPECT_EQ(grid.trace(edges_along({edge.first.first, edge.first.second})).curves().size(), edge.second == 1 ? 1u : 0u);
+    EXPECT_EQ(grid.trace(edges_along({edge.first.first, edge.first.second})).curves().size(),
+              edge.second == 1 ? 1u : 0u);
   }
   EXPECT_EQ(on_rim, 80);
 }

@@ -34,7 +34,9 @@ TEST(Nearby_triangles, are_the_closest_while_they_are_said_to_be)
 {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  const auto point = [&](double size) { return Vector_3(size * uniform(random), size * uniform(random), size * uniform(random)); };
+  const auto point = [&](double size) {
+    return Vector_3(size * uniform(random), size * uniform(random), size * uniform(random));
+  };
   const Surface cube(1);
   const Triangle_surface surface(cube.points, cube.triangles);
   const std::size_t n = 200;

@@ -53,7 +53,9 @@ TEST(Triangle_adjacency, has_all_sides_of_every_edge)
   for (int a = 0; a < 9; ++a)
     for (int b = 0; b < 9; ++b) {
       const auto has = [](const Triangle_indices& t, int v) { return std::find(t.begin(), t.end(), v) != t.end(); };
-      const auto expected = a == b ? 0 : std::count_if(triangles.begin(), triangles.end(), [&](const Triangle_indices& t) { return has(t, a) && has(t, b); });
+      const auto expected = a == b ? 0
+                                   : std::count_if(triangles.begin(), triangles.end(),
+                                                   [&](const Triangle_indices& t) { return has(t, a) && has(t, b); });
       EXPECT_EQ(adjacency.sides({a, b}).size(), std::size_t(expected));
       EXPECT_EQ(seen.count(Triangle_adjacency::ordered({a, b})), std::size_t(expected > 0));
     }

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -32,6 +31,6 @@ struct Hex_mesh_attachments
   std::string other_sections;
 };
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_ATTACHMENTS_H

@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -38,6 +37,6 @@ private:
   std::size_t line_;
 };
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_FILE_ERROR_H

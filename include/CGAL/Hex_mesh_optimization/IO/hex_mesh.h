@@ -27,10 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 template <class Type>
 using Linear_cell_complex_only = std::enable_if_t<Is_linear_cell_complex<Type>::value, int>;
@@ -43,10 +40,9 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
   throw CGAL::IO::Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -177,8 +173,7 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
           Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
-                    const Hex_mesh_attachments& attachments,
-                    const NamedParameters& np = parameters::default_values())
+                    const Hex_mesh_attachments& attachments, const NamedParameters& np = parameters::default_values())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   const std::string extension = io::extension_of(filename);
@@ -240,6 +235,6 @@ void write_hex_mesh(const std::string& filename, const LCC& lcc,
   write_hex_mesh(filename, lcc, Hex_mesh_attachments(), np);
 }
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_H

@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -82,8 +81,9 @@ void write_medit_hex_mesh(const std::string& filename, const PointRange& points,
                           const Hex_mesh_attachments& attachments = Hex_mesh_attachments())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  const auto fits = [](const std::vector<std::int64_t>& labels, std::size_t size)
-    { return labels.empty() || labels.size() == size; };
+  const auto fits = [](const std::vector<std::int64_t>& labels, std::size_t size) {
+    return labels.empty() || labels.size() == size;
+  };
   if (!fits(attachments.vertex_labels, points.size()) || !fits(attachments.hexahedron_labels, hexahedra.size()))
     throw Hex_mesh_file_error(filename, 0, "the number of labels is not the number of elements");
 
@@ -121,6 +121,6 @@ void write_medit_hex_mesh(const std::string& filename, const PointRange& points,
   file.commit();
 }
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_MEDIT_H

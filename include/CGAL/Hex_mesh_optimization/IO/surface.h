@@ -32,18 +32,20 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 inline Mesh_file_content read_content(const std::string& filename, const std::string& extension)
 {
-  if (extension == "off") return Off_reader(filename).read();
-  if (extension == "ply") return Ply_reader(filename).read();
-  if (extension == "mesh") return Medit_reader(filename, Wanted_cells::POLYGONS).read();
-  if (extension == "vtk") return Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read();
-  if (extension == "vtu") return Vtu_reader(filename, Wanted_cells::POLYGONS).read();
+  if (extension == "off")
+    return Off_reader(filename).read();
+  if (extension == "ply")
+    return Ply_reader(filename).read();
+  if (extension == "mesh")
+    return Medit_reader(filename, Wanted_cells::POLYGONS).read();
+  if (extension == "vtk")
+    return Legacy_vtk_reader(filename, Wanted_cells::POLYGONS).read();
+  if (extension == "vtu")
+    return Vtu_reader(filename, Wanted_cells::POLYGONS).read();
   throw CGAL::IO::Hex_mesh_file_error(
     filename, 0, "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
 }
@@ -66,15 +68,15 @@ void read_polygons(const std::string& filename, std::vector<Point>& points,
     success = CGAL::IO::read_polygon_soup(filename, points, polygons);
   }
   catch (const std::exception&) // as a number of vertices that no memory can hold
-  {}
+  {
+  }
   if (!success)
     throw CGAL::IO::Hex_mesh_file_error(filename, 0, "it cannot be read as a surface in ." + extension + " format");
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -100,8 +102,8 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
 {
   namespace PMP = Polygon_mesh_processing;
   namespace io = Hex_mesh_optimization::internal::IO;
-  using Point = typename boost::property_traits<
-    typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type;
+  using Point =
+    typename boost::property_traits<typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type;
 
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
@@ -114,8 +116,9 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
   for (std::size_t i = 0; i < polygons.size(); ++i)
     for (const std::size_t v : polygons[i])
       if (v >= points.size())
-        throw Hex_mesh_file_error(filename, 0, "polygon " + std::to_string(i) + " refers to point " + std::to_string(v)
-                                               + ", there are " + std::to_string(points.size()) + " points");
+        throw Hex_mesh_file_error(filename, 0,
+                                  "polygon " + std::to_string(i) + " refers to point " + std::to_string(v) +
+                                    ", there are " + std::to_string(points.size()) + " points");
 
   if (io::extension_of(filename) == "stl")
     PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
@@ -124,10 +127,13 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
     while (polygon.size() > 1 && polygon.front() == polygon.back())
       polygon.pop_back();
   }
-  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](std::vector<std::size_t> polygon) {
-      std::sort(polygon.begin(), polygon.end());
-      return polygon.size() < 3 || std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
-    }), polygons.end());
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                                [](std::vector<std::size_t> polygon) {
+                                  std::sort(polygon.begin(), polygon.end());
+                                  return polygon.size() < 3 ||
+                                         std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+                                }),
+                 polygons.end());
   PMP::remove_isolated_points_in_polygon_soup(points, polygons);
   if (polygons.empty())
     throw Hex_mesh_file_error(filename, 0, "the surface has no polygons");
@@ -141,6 +147,6 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
   tmesh = std::move(result);
 }
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_SURFACE_H

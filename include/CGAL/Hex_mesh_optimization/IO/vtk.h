@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -107,8 +106,8 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
   if (binary && points.size() > std::size_t(0x7fffffff))
     throw Hex_mesh_file_error(filename, 0, "the mesh has too many points for this format");
 
-  text = std::string("# vtk DataFile Version 3.0\nhexahedral mesh\n") + (binary ? "BINARY" : "ASCII")
-         + "\nDATASET UNSTRUCTURED_GRID\nPOINTS " + std::to_string(points.size()) + " double\n";
+  text = std::string("# vtk DataFile Version 3.0\nhexahedral mesh\n") + (binary ? "BINARY" : "ASCII") +
+         "\nDATASET UNSTRUCTURED_GRID\nPOINTS " + std::to_string(points.size()) + " double\n";
   for (const auto& p : points) {
     const std::array<double, 3> x = io::coordinates(p);
     for (int i = 0; i < 3; ++i) {
@@ -121,8 +120,8 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
     }
     file.write_if_large();
   }
-  text += (binary ? "\nCELLS " : "CELLS ") + std::to_string(hexahedra.size()) + " "
-          + std::to_string(9 * hexahedra.size()) + "\n";
+  text += (binary ? "\nCELLS " : "CELLS ") + std::to_string(hexahedra.size()) + " " +
+          std::to_string(9 * hexahedra.size()) + "\n";
   for (const auto& hexahedron : hexahedra) {
     append_integer(8, ' ');
     int c = 0;
@@ -140,6 +139,6 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
   file.commit();
 }
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_VTK_H

@@ -33,8 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -43,8 +42,8 @@ namespace IO {
  *
  * The numbers may be text, base64, or appended, raw or base64. Arrays compressed with zlib can be read if the macro
  * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one
- * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra; cells of dimension
- * two and less, and data on points and cells, are skipped.
+ * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra; cells of
+ * dimension two and less, and data on points and cells, are skipped.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -107,10 +106,11 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
                 "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                 "header_type=\"UInt64\">\n"
                 "<UnstructuredGrid>\n"
-                "<Piece NumberOfPoints=\"" + std::to_string(points.size())
-                + "\" NumberOfCells=\"" + std::to_string(hexahedra.size()) + "\">\n<Points>\n";
-  io::Vtu_array<double> coordinates(file, "Float64", "Name=\"Points\" NumberOfComponents=\"3\"",
-                                          3 * points.size(), binary);
+                "<Piece NumberOfPoints=\"" +
+                std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(hexahedra.size()) +
+                "\">\n<Points>\n";
+  io::Vtu_array<double> coordinates(file, "Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 3 * points.size(),
+                                    binary);
   for (const auto& p : points) {
     const std::array<double, 3> x = io::coordinates(p);
     for (int i = 0; i < 3; ++i)
@@ -137,6 +137,6 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
   file.commit();
 }
 
-} } // namespace CGAL::IO
+} // namespace CGAL::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_VTU_H

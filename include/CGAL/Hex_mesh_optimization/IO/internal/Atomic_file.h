@@ -17,17 +17,12 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 class Atomic_file
 {
 public:
-  explicit Atomic_file(const std::string& filename)
-    : filename_(filename)
-    , target_(filename)
+  explicit Atomic_file(const std::string& filename) : filename_(filename), target_(filename)
   {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -46,8 +41,8 @@ public:
     if (replaced) {
       static std::atomic<unsigned int> count(0);
       temporary_ = target_;
-      temporary_ += "." + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count())
-                    + "_" + std::to_string(count++) + ".tmp";
+      temporary_ += "." + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()) + "_" +
+                    std::to_string(count++) + ".tmp";
     }
     out_.open(replaced ? temporary_ : target_, std::ios::binary | std::ios::trunc);
     if (!out_) {
@@ -111,6 +106,6 @@ private:
   std::string text_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ATOMIC_FILE_H

@@ -23,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 class Legacy_vtk_reader
 {
@@ -40,7 +37,8 @@ public:
   Mesh_file_content read()
   {
     read_header();
-    while (read_section()) {}
+    while (read_section()) {
+    }
     if (!has_points_)
       scanner_.fail("there are no POINTS");
     if (is_poly_data_)
@@ -58,7 +56,7 @@ private:
   {
     std::vector<std::int64_t> offsets; // one more than there are cells
     std::vector<std::int64_t> vertices;
-    std::vector<std::size_t> lines;    // of the vertices, 0 where none can be named
+    std::vector<std::size_t> lines; // of the vertices, 0 where none can be named
     std::size_t line;
     std::size_t size() const { return offsets.size() - 1; }
   };
@@ -123,16 +121,26 @@ private:
 
   static Number_type number_type(const std::string& name)
   {
-    if (name == "float") return {Number_kind::FLOATING, 4};
-    if (name == "double") return {Number_kind::FLOATING, 8};
-    if (name == "char" || name == "signed_char" || name == "vtktypeint8") return {Number_kind::SIGNED, 1};
-    if (name == "unsigned_char" || name == "vtktypeuint8") return {Number_kind::UNSIGNED, 1};
-    if (name == "short" || name == "vtktypeint16") return {Number_kind::SIGNED, 2};
-    if (name == "unsigned_short" || name == "vtktypeuint16") return {Number_kind::UNSIGNED, 2};
-    if (name == "int" || name == "vtkidtype" || name == "vtktypeint32") return {Number_kind::SIGNED, 4};
-    if (name == "unsigned_int" || name == "vtktypeuint32") return {Number_kind::UNSIGNED, 4};
-    if (name == "long" || name == "vtktypeint64") return {Number_kind::SIGNED, 8};
-    if (name == "unsigned_long" || name == "vtktypeuint64") return {Number_kind::UNSIGNED, 8};
+    if (name == "float")
+      return {Number_kind::FLOATING, 4};
+    if (name == "double")
+      return {Number_kind::FLOATING, 8};
+    if (name == "char" || name == "signed_char" || name == "vtktypeint8")
+      return {Number_kind::SIGNED, 1};
+    if (name == "unsigned_char" || name == "vtktypeuint8")
+      return {Number_kind::UNSIGNED, 1};
+    if (name == "short" || name == "vtktypeint16")
+      return {Number_kind::SIGNED, 2};
+    if (name == "unsigned_short" || name == "vtktypeuint16")
+      return {Number_kind::UNSIGNED, 2};
+    if (name == "int" || name == "vtkidtype" || name == "vtktypeint32")
+      return {Number_kind::SIGNED, 4};
+    if (name == "unsigned_int" || name == "vtktypeuint32")
+      return {Number_kind::UNSIGNED, 4};
+    if (name == "long" || name == "vtktypeint64")
+      return {Number_kind::SIGNED, 8};
+    if (name == "unsigned_long" || name == "vtktypeuint64")
+      return {Number_kind::UNSIGNED, 8};
     return {};
   }
 
@@ -212,8 +220,8 @@ private:
       }
       if (cells.offsets.empty())
         cells.offsets.push_back(0);
-      bool ascending = cells.offsets.front() == 0
-                       && cells.offsets.back() == static_cast<std::int64_t>(cells.vertices.size());
+      bool ascending = cells.offsets.front() == 0 &&
+                       cells.offsets.back() == static_cast<std::int64_t>(cells.vertices.size());
       for (std::size_t i = 1; i < cells.offsets.size(); ++i)
         ascending = ascending && cells.offsets[i - 1] <= cells.offsets[i];
       if (!ascending)
@@ -231,8 +239,8 @@ private:
         scanner_.fail("the size of the cells is too small for " + std::to_string(count) + " cells");
       const std::int64_t n = values[i];
       if (n < 0 || static_cast<std::uint64_t>(n) > size - i - 1)
-        scanner_.fail(lines.empty() ? 0 : lines[i], "cell " + std::to_string(c) + " cannot have "
-                                                    + std::to_string(n) + " vertices");
+        scanner_.fail(lines.empty() ? 0 : lines[i],
+                      "cell " + std::to_string(c) + " cannot have " + std::to_string(n) + " vertices");
       ++i;
       for (const std::size_t end = i + static_cast<std::size_t>(n); i < end; ++i) {
         cells.vertices.push_back(values[i]);
@@ -256,8 +264,8 @@ private:
   void add_cells(const Cells& cells, const Type_of& type_of)
   {
     if (!is_poly_data_ && types_.size() != cells.size())
-      scanner_.fail("there are " + std::to_string(cells.size()) + " cells and "
-                    + std::to_string(types_.size()) + " cell types");
+      scanner_.fail("there are " + std::to_string(cells.size()) + " cells and " + std::to_string(types_.size()) +
+                    " cell types");
     std::vector<std::size_t> vertices;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const std::size_t begin = static_cast<std::size_t>(cells.offsets[c]);
@@ -267,8 +275,8 @@ private:
       for (std::size_t i = begin; i < end; ++i) {
         const std::int64_t v = cells.vertices[i];
         if (v < 0 || static_cast<std::uint64_t>(v) >= content_.points.size())
-          scanner_.fail(line(i), "cell " + std::to_string(c) + ": point " + std::to_string(v)
-                                 + " does not exist, there are " + std::to_string(content_.points.size()) + " points");
+          scanner_.fail(line(i), "cell " + std::to_string(c) + ": point " + std::to_string(v) +
+                                   " does not exist, there are " + std::to_string(content_.points.size()) + " points");
         vertices.push_back(static_cast<std::size_t>(v));
       }
       const std::string wrong = add_vtk_cell(content_, wanted_, type_of(c), vertices.data(), vertices.size());
@@ -281,7 +289,8 @@ private:
   void skip_metadata()
   {
     scanner_.rest_of_line();
-    while (scanner_.position() < text_.size() && !scanner_.rest_of_line().empty()) {}
+    while (scanner_.position() < text_.size() && !scanner_.rest_of_line().empty()) {
+    }
   }
 
   void skip_field()
@@ -348,6 +357,6 @@ private:
   Mesh_file_content content_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_LEGACY_VTK_READER_H

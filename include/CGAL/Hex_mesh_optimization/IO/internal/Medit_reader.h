@@ -19,18 +19,12 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 class Medit_reader
 {
 public:
-  Medit_reader(const std::string& filename, Wanted_cells wanted)
-    : filename_(filename)
-    , wanted_(wanted)
-  {}
+  Medit_reader(const std::string& filename, Wanted_cells wanted) : filename_(filename), wanted_(wanted) {}
 
   Mesh_file_content read()
   {
@@ -60,14 +54,14 @@ private:
   // All keywords begin with a capital letter; so may a number that is none.
   static bool is_keyword(std::string_view word)
   {
-    return word.front() >= 'A' && word.front() <= 'Z' && lowered(word) != "nan" && lowered(word) != "inf"
-           && lowered(word) != "infinity";
+    return word.front() >= 'A' && word.front() <= 'Z' && lowered(word) != "nan" && lowered(word) != "inf" &&
+           lowered(word) != "infinity";
   }
 
   void find_sections()
   {
     Text_scanner scanner(filename_, text_, '#');
-    for (std::string_view word = scanner.word(); ; word = scanner.word()) {
+    for (std::string_view word = scanner.word();; word = scanner.word()) {
       if (!word.empty() && !is_keyword(word)) {
         if (sections_.empty())
           break;
@@ -89,8 +83,8 @@ private:
 
   Text_scanner body(const Section& section) const
   {
-    return Text_scanner(filename_, std::string_view(text_).substr(section.body, section.end - section.body),
-                        '#', section.line);
+    return Text_scanner(filename_, std::string_view(text_).substr(section.body, section.end - section.body), '#',
+                        section.line);
   }
 
   void check_end(Text_scanner& scanner, const Section& section) const
@@ -122,8 +116,8 @@ private:
     for (std::size_t& index : indices) {
       const std::int64_t i = scanner.integer("the number of a vertex");
       if (i < 1 || static_cast<std::uint64_t>(i) > content_.points.size())
-        scanner.fail("vertex " + std::to_string(i) + " does not exist, there are "
-                     + std::to_string(content_.points.size()) + " vertices");
+        scanner.fail("vertex " + std::to_string(i) + " does not exist, there are " +
+                     std::to_string(content_.points.size()) + " vertices");
       index = static_cast<std::size_t>(i - 1);
     }
   }
@@ -150,11 +144,13 @@ private:
     }
     else if (name == "Hexahedra")
       read_hexahedra(section, scanner);
-    else if (name == "Tetrahedra" || name == "TetrahedraP2" || name == "Prisms" || name == "PrismsP2"
-             || name == "Pyramids" || name == "PyramidsP2" || name == "HexahedraQ2") {
+    else if (name == "Tetrahedra" || name == "TetrahedraP2" || name == "Prisms" || name == "PrismsP2" ||
+             name == "Pyramids" || name == "PyramidsP2" || name == "HexahedraQ2") {
       if (scanner.integer("the number of cells") != 0)
-        throw CGAL::IO::Hex_mesh_file_error(filename_, section.line, "the mesh has " + name + ": all cells must be "
-                                                           "hexahedra with eight vertices");
+        throw CGAL::IO::Hex_mesh_file_error(filename_, section.line,
+                                            "the mesh has " + name +
+                                              ": all cells must be "
+                                              "hexahedra with eight vertices");
       keep(section);
     }
     else
@@ -204,6 +200,6 @@ private:
   Mesh_file_content content_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MEDIT_READER_H

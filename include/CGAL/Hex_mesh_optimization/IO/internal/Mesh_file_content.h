@@ -18,10 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 enum class Wanted_cells { HEXAHEDRA, POLYGONS };
 
@@ -65,6 +62,6 @@ std::array<double, 3> coordinates(const Point& p)
   return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H

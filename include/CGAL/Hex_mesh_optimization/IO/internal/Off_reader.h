@@ -21,20 +21,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Not CGAL's reader: it allocates what each polygon announces, reads beyond its buffer where one vertex has a color and
 // the next has none, wants every point in a line of its own, and names no line.
 class Off_reader
 {
 public:
-  explicit Off_reader(const std::string& filename)
-    : text_(read_whole_file(filename))
-    , scanner_(filename, text_, '#')
-  {}
+  explicit Off_reader(const std::string& filename) : text_(read_whole_file(filename)), scanner_(filename, text_, '#') {}
 
   Mesh_file_content read()
   {
@@ -94,8 +88,8 @@ private:
     for (std::size_t& v : polygon) {
       const std::int64_t i = scanner_.integer("the number of a vertex");
       if (i < 0 || static_cast<std::uint64_t>(i) >= content_.points.size())
-        scanner_.fail("vertex " + std::to_string(i) + " does not exist, there are "
-                      + std::to_string(content_.points.size()) + " vertices");
+        scanner_.fail("vertex " + std::to_string(i) + " does not exist, there are " +
+                      std::to_string(content_.points.size()) + " vertices");
       v = static_cast<std::size_t>(i);
     }
     scanner_.rest_of_line(); // its color
@@ -109,6 +103,6 @@ private:
   Mesh_file_content content_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_OFF_READER_H

@@ -22,20 +22,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Not CGAL's reader: it allocates what each list announces, follows a null pointer where coordinates are integers,
 // wants the format in the second line, and names no line.
 class Ply_reader
 {
 public:
-  explicit Ply_reader(const std::string& filename)
-    : text_(read_whole_file(filename))
-    , scanner_(filename, text_)
-  {}
+  explicit Ply_reader(const std::string& filename) : text_(read_whole_file(filename)), scanner_(filename, text_) {}
 
   Mesh_file_content read()
   {
@@ -136,14 +130,22 @@ private:
 
   static Number_type number_type(const Text_scanner& words, std::string_view name)
   {
-    if (name == "char" || name == "int8") return {Number_kind::SIGNED, 1};
-    if (name == "uchar" || name == "uint8") return {Number_kind::UNSIGNED, 1};
-    if (name == "short" || name == "int16") return {Number_kind::SIGNED, 2};
-    if (name == "ushort" || name == "uint16") return {Number_kind::UNSIGNED, 2};
-    if (name == "int" || name == "int32") return {Number_kind::SIGNED, 4};
-    if (name == "uint" || name == "uint32") return {Number_kind::UNSIGNED, 4};
-    if (name == "float" || name == "float32") return {Number_kind::FLOATING, 4};
-    if (name == "double" || name == "float64") return {Number_kind::FLOATING, 8};
+    if (name == "char" || name == "int8")
+      return {Number_kind::SIGNED, 1};
+    if (name == "uchar" || name == "uint8")
+      return {Number_kind::UNSIGNED, 1};
+    if (name == "short" || name == "int16")
+      return {Number_kind::SIGNED, 2};
+    if (name == "ushort" || name == "uint16")
+      return {Number_kind::UNSIGNED, 2};
+    if (name == "int" || name == "int32")
+      return {Number_kind::SIGNED, 4};
+    if (name == "uint" || name == "uint32")
+      return {Number_kind::UNSIGNED, 4};
+    if (name == "float" || name == "float32")
+      return {Number_kind::FLOATING, 4};
+    if (name == "double" || name == "float64")
+      return {Number_kind::FLOATING, 8};
     words.fail("numbers of type \"" + Text_scanner::printable(name) + "\" are unknown");
   }
 
@@ -207,8 +209,9 @@ private:
     for (std::size_t i = 0; i < content_.polygons.size(); ++i)
       for (const std::size_t v : content_.polygons[i])
         if (v >= content_.points.size())
-          scanner_.fail(0, "face " + std::to_string(i) + " refers to vertex "
-                           + std::to_string(static_cast<std::int64_t>(v)) + ", there are " + std::to_string(content_.points.size()) + " vertices");
+          scanner_.fail(0, "face " + std::to_string(i) + " refers to vertex " +
+                             std::to_string(static_cast<std::int64_t>(v)) + ", there are " +
+                             std::to_string(content_.points.size()) + " vertices");
   }
 
   std::string text_;
@@ -219,6 +222,6 @@ private:
   Mesh_file_content content_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_PLY_READER_H

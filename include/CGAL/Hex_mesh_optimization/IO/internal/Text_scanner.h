@@ -17,10 +17,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 class Text_scanner
 {
@@ -74,8 +71,8 @@ public:
   {
     skip_white_space();
     const std::size_t begin = position_;
-    while (position_ < text_.size() && !is_white(text_[position_]) && text_[position_] != '\n'
-           && (text_[position_] != comment_ || comment_ == '\0'))
+    while (position_ < text_.size() && !is_white(text_[position_]) && text_[position_] != '\n' &&
+           (text_[position_] != comment_ || comment_ == '\0'))
       ++position_;
     return text_.substr(begin, position_ - begin);
   }
@@ -153,6 +150,6 @@ private:
   bool names_lines_ = true;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TEXT_SCANNER_H

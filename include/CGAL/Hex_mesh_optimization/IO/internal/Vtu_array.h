@@ -16,10 +16,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // As text, or as base64.
 template <class Number>
@@ -30,8 +27,8 @@ public:
     : file_(file)
     , binary_(binary)
   {
-    file_.text() += std::string("<DataArray type=\"") + type + "\" " + attributes + " format=\""
-                    + (binary ? "binary" : "ascii") + "\">\n";
+    file_.text() += std::string("<DataArray type=\"") + type + "\" " + attributes + " format=\"" +
+                    (binary ? "binary" : "ascii") + "\">\n";
     if (binary)
       append_binary(bytes_, static_cast<std::uint64_t>(size * sizeof(Number)), true);
   }
@@ -69,6 +66,6 @@ private:
   std::string bytes_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTU_ARRAY_H

@@ -32,18 +32,12 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 class Vtu_reader
 {
 public:
-  Vtu_reader(const std::string& filename, Wanted_cells wanted)
-    : filename_(filename)
-    , wanted_(wanted)
-  {}
+  Vtu_reader(const std::string& filename, Wanted_cells wanted) : filename_(filename), wanted_(wanted) {}
 
   Mesh_file_content read()
   {
@@ -132,16 +126,26 @@ private:
 
   static Number_type number_type(const std::string& name)
   {
-    if (name == "Float32") return {Number_kind::FLOATING, 4};
-    if (name == "Float64") return {Number_kind::FLOATING, 8};
-    if (name == "Int8") return {Number_kind::SIGNED, 1};
-    if (name == "UInt8") return {Number_kind::UNSIGNED, 1};
-    if (name == "Int16") return {Number_kind::SIGNED, 2};
-    if (name == "UInt16") return {Number_kind::UNSIGNED, 2};
-    if (name == "Int32") return {Number_kind::SIGNED, 4};
-    if (name == "UInt32") return {Number_kind::UNSIGNED, 4};
-    if (name == "Int64") return {Number_kind::SIGNED, 8};
-    if (name == "UInt64") return {Number_kind::UNSIGNED, 8};
+    if (name == "Float32")
+      return {Number_kind::FLOATING, 4};
+    if (name == "Float64")
+      return {Number_kind::FLOATING, 8};
+    if (name == "Int8")
+      return {Number_kind::SIGNED, 1};
+    if (name == "UInt8")
+      return {Number_kind::UNSIGNED, 1};
+    if (name == "Int16")
+      return {Number_kind::SIGNED, 2};
+    if (name == "UInt16")
+      return {Number_kind::UNSIGNED, 2};
+    if (name == "Int32")
+      return {Number_kind::SIGNED, 4};
+    if (name == "UInt32")
+      return {Number_kind::UNSIGNED, 4};
+    if (name == "Int64")
+      return {Number_kind::SIGNED, 8};
+    if (name == "UInt64")
+      return {Number_kind::UNSIGNED, 8};
     return {};
   }
 
@@ -198,8 +202,8 @@ private:
       const bool is_partial = b + 1 == compressed_sizes.size() && sizes[2] != 0;
       const std::uint64_t block_size = is_partial ? sizes[2] : sizes[1];
       std::string compressed;
-      if (compressed_sizes[b] > source.left()
-          || !source.read(static_cast<std::size_t>(compressed_sizes[b]), compressed))
+      if (compressed_sizes[b] > source.left() ||
+          !source.read(static_cast<std::size_t>(compressed_sizes[b]), compressed))
         too_short();
       // zlib shrinks by a factor of 1032 at most.
       if (block_size > size - bytes.size() || block_size / 1040 > compressed.size())
@@ -208,8 +212,9 @@ private:
       bytes.resize(begin + static_cast<std::size_t>(block_size));
       uLongf length = static_cast<uLongf>(block_size);
       if (uncompress(reinterpret_cast<Bytef*>(&bytes[0] + begin), &length,
-                     reinterpret_cast<const Bytef*>(compressed.data()), static_cast<uLong>(compressed.size())) != Z_OK
-          || length != block_size)
+                     reinterpret_cast<const Bytef*>(compressed.data()),
+                     static_cast<uLong>(compressed.size())) != Z_OK ||
+          length != block_size)
         fail("the compressed data of " + name + " are damaged");
     }
     check_size(bytes.size());
@@ -251,8 +256,9 @@ private:
     else if (format != "binary")
       fail("the format of " + name + " is \"" + Text_scanner::printable(format) + "\"");
     const Byte_source source = format == "appended"
-      ? Byte_source(std::string_view(appended_).substr(static_cast<std::size_t>(offset)), appended_is_base64_)
-      : Byte_source(array.data(), true);
+                                 ? Byte_source(std::string_view(appended_).substr(static_cast<std::size_t>(offset)),
+                                               appended_is_base64_)
+                                 : Byte_source(array.data(), true);
     // An empty array may have no block at all.
     if (count == 0)
       return values;
@@ -264,8 +270,8 @@ private:
       values.push_back(decode_number<Value>(bytes.data() + i * type.size, type, reverse_));
       if constexpr (std::is_floating_point<Value>::value)
         if (!std::isfinite(values.back()))
-          fail("coordinate " + std::to_string(i % 3) + " of point " + std::to_string(i / 3)
-               + " is not a finite number");
+          fail("coordinate " + std::to_string(i % 3) + " of point " + std::to_string(i / 3) +
+               " is not a finite number");
     }
     return values;
   }
@@ -289,26 +295,26 @@ private:
     if (number_of_cells == 0)
       return;
 
-    const std::vector<std::int64_t> offsets
-      = read_array<std::int64_t>(array(piece, "Cells", "offsets"), number_of_cells, "offsets");
-    const std::vector<std::int64_t> types
-      = read_array<std::int64_t>(array(piece, "Cells", "types"), number_of_cells, "types");
+    const std::vector<std::int64_t> offsets = read_array<std::int64_t>(array(piece, "Cells", "offsets"),
+                                                                       number_of_cells, "offsets");
+    const std::vector<std::int64_t> types = read_array<std::int64_t>(array(piece, "Cells", "types"), number_of_cells,
+                                                                     "types");
     bool ascending = offsets.front() >= 0;
     for (std::size_t c = 1; c < offsets.size(); ++c)
       ascending = ascending && offsets[c - 1] <= offsets[c];
     if (!ascending)
       fail("the offsets do not ascend");
-    const std::vector<std::int64_t> connectivity
-      = read_array<std::int64_t>(array(piece, "Cells", "connectivity"), static_cast<std::uint64_t>(offsets.back()),
-                                 "connectivity");
+    const std::vector<std::int64_t> connectivity = read_array<std::int64_t>(array(piece, "Cells", "connectivity"),
+                                                                            static_cast<std::uint64_t>(offsets.back()),
+                                                                            "connectivity");
     std::vector<std::size_t> vertices;
     std::size_t i = 0;
     for (std::size_t c = 0; c < offsets.size(); ++c) {
       vertices.clear();
       for (; i < static_cast<std::size_t>(offsets[c]); ++i) {
         if (connectivity[i] < 0 || static_cast<std::uint64_t>(connectivity[i]) >= number_of_points)
-          fail("cell " + std::to_string(c) + ": point " + std::to_string(connectivity[i])
-               + " does not exist, there are " + std::to_string(number_of_points) + " points");
+          fail("cell " + std::to_string(c) + ": point " + std::to_string(connectivity[i]) +
+               " does not exist, there are " + std::to_string(number_of_points) + " points");
         vertices.push_back(first_point + static_cast<std::size_t>(connectivity[i]));
       }
       const std::string wrong = add_vtk_cell(content_, wanted_, types[c], vertices.data(), vertices.size());
@@ -327,6 +333,6 @@ private:
   Mesh_file_content content_;
 };
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTU_READER_H

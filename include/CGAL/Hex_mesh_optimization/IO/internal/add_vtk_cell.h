@@ -13,18 +13,16 @@
 #include <initializer_list>
 #include <string>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Sorts a cell of an unstructured grid into the content. Returns an empty
 // string, or what is wrong with the cell.
 inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted, std::int64_t type,
                                 const std::size_t* vertices, std::size_t size)
 {
-  const auto has_other_size_than = [&](std::size_t expected)
-    { return "it has " + std::to_string(size) + " vertices, not " + std::to_string(expected); };
+  const auto has_other_size_than = [&](std::size_t expected) {
+    return "it has " + std::to_string(size) + " vertices, not " + std::to_string(expected);
+  };
   const auto add_polygon = [&](std::initializer_list<std::size_t> corners) {
     content.polygons.emplace_back();
     for (const std::size_t c : corners)
@@ -42,10 +40,38 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
         content.hexahedra.back()[c] = vertices[type == 11 && c % 4 > 1 ? 5 - c % 4 + (c & 4) : c];
       return std::string();
     // Cells of lower dimension, from the empty cell to the polygon on a Bezier surface.
-    case 0: case 1: case 2: case 3: case 4: case 5: case 6: case 7: case 8: case 9:
-    case 21: case 22: case 23: case 28: case 30: case 34: case 35: case 36:
-    case 51: case 52: case 53: case 54: case 60: case 61: case 62: case 63:
-    case 68: case 69: case 70: case 75: case 76: case 77:
+    case 0:
+    case 1:
+    case 2:
+    case 3:
+    case 4:
+    case 5:
+    case 6:
+    case 7:
+    case 8:
+    case 9:
+    case 21:
+    case 22:
+    case 23:
+    case 28:
+    case 30:
+    case 34:
+    case 35:
+    case 36:
+    case 51:
+    case 52:
+    case 53:
+    case 54:
+    case 60:
+    case 61:
+    case 62:
+    case 63:
+    case 68:
+    case 69:
+    case 70:
+    case 75:
+    case 76:
+    case 77:
       return std::string();
     case 10:
       return "it is a tetrahedron, not a hexahedron";
@@ -86,6 +112,6 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
   }
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ADD_VTK_CELL_H

@@ -12,10 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Gives out the bytes of an encoded or raw block one after the other.
 class Byte_source
@@ -59,8 +56,12 @@ private:
       data_.remove_prefix(1);
       if (c == ' ' || c == '\n' || c == '\r' || c == '\t')
         continue;
-      const int value = c >= 'A' && c <= 'Z' ? c - 'A' : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52 : c == '+' ? 62 : c == '/' ? 63 : -1;
+      const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
+                        : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                        : c >= '0' && c <= '9' ? c - '0' + 52
+                        : c == '+'             ? 62
+                        : c == '/'             ? 63
+                                               : -1;
       if (c == '=' && characters >= 2)
         ++padding;
       else if (value < 0 || padding > 0)
@@ -93,6 +94,6 @@ inline void append_base64(std::string& text, std::string_view bytes)
   }
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_BASE64_H

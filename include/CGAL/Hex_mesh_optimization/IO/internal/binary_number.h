@@ -12,10 +12,7 @@
 #include <cstring>
 #include <string>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 inline bool is_little_endian_machine()
 {
@@ -50,11 +47,15 @@ Value decode_number(const char* from, Number_type type, bool reverse)
   case Number_kind::FLOATING:
     return type.size == 4 ? as(float()) : as(double());
   case Number_kind::SIGNED:
-    return type.size == 1 ? as(std::int8_t()) : type.size == 2 ? as(std::int16_t())
-         : type.size == 4 ? as(std::int32_t()) : as(std::int64_t());
+    return type.size == 1   ? as(std::int8_t())
+           : type.size == 2 ? as(std::int16_t())
+           : type.size == 4 ? as(std::int32_t())
+                            : as(std::int64_t());
   default:
-    return type.size == 1 ? as(std::uint8_t()) : type.size == 2 ? as(std::uint16_t())
-         : type.size == 4 ? as(std::uint32_t()) : as(std::uint64_t());
+    return type.size == 1   ? as(std::uint8_t())
+           : type.size == 2 ? as(std::uint16_t())
+           : type.size == 4 ? as(std::uint32_t())
+                            : as(std::uint64_t());
   }
 }
 
@@ -68,6 +69,6 @@ void append_binary(std::string& text, Number number, bool little_endian)
   text.append(bytes, sizeof(Number));
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_BINARY_NUMBER_H

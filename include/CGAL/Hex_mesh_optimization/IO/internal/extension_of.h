@@ -11,10 +11,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // The extension of a file name without its dot, in lower case.
 inline std::string extension_of(const std::string& filename)
@@ -23,6 +20,6 @@ inline std::string extension_of(const std::string& filename)
   return dot == std::string::npos || filename[dot] != '.' ? std::string() : lowered(filename.substr(dot + 1));
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_EXTENSION_OF_H

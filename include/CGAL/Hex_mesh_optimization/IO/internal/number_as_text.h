@@ -15,10 +15,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Reads a whole word as a double. An underflow reads as zero.
 inline bool parse_number(std::string_view word, double& value)
@@ -77,6 +74,6 @@ void append_number(std::string& text, Integer value)
   text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_NUMBER_AS_TEXT_H

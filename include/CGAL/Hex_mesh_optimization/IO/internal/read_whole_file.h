@@ -15,10 +15,7 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 inline std::string read_whole_file(const std::string& filename)
 {
@@ -45,6 +42,6 @@ inline std::string read_whole_file(const std::string& filename)
   return content;
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_READ_WHOLE_FILE_H

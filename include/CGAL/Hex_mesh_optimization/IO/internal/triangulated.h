@@ -19,10 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
-namespace IO {
+namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Along the diagonal across which the two normals agree better.
 template <class PointRange>
@@ -69,15 +66,17 @@ void append_triangles_of_polygon(const PointRange& points, std::vector<std::size
     if (area[axis] < 0)
       std::swap(flat.back()[0], flat.back()[1]);
   }
-  const auto turn = [](const Point_2& a, const Point_2& b, const Point_2& c)
-    { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
+  const auto turn = [](const Point_2& a, const Point_2& b, const Point_2& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  };
   const auto is_ear = [&](std::size_t i) {
     const std::size_t n = flat.size();
     const Point_2 &a = flat[(i + n - 1) % n], &b = flat[i], &c = flat[(i + 1) % n];
-    return turn(a, b, c) > 0 && std::none_of(flat.begin(), flat.end(), [&](const Point_2& p)
-      { return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0; });
+    return turn(a, b, c) > 0 && std::none_of(flat.begin(), flat.end(), [&](const Point_2& p) {
+             return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+           });
   };
-  for (std::size_t i = 0; polygon.size() > 3; ) {
+  for (std::size_t i = 0; polygon.size() > 3;) {
     const std::size_t n = polygon.size();
     std::size_t tried = 0;
     for (i %= n; tried < n && !is_ear(i); ++tried)
@@ -104,6 +103,6 @@ std::vector<std::vector<std::size_t>> triangulated(const PointRange& points,
   return triangles;
 }
 
-} } } } // namespace CGAL::Hex_mesh_optimization::internal::IO
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TRIANGULATED_H

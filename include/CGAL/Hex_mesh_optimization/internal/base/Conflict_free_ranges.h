@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Conflict_free_ranges
 {
@@ -24,7 +22,8 @@ public:
   // vertices_of(i) is a range of the vertices of element i. Ranges get the first color that none of those
   // with a common vertex has.
   template <class VerticesOf>
-  Conflict_free_ranges(std::size_t number_of_elements, std::size_t number_of_vertices, std::size_t size_of_range, const VerticesOf& vertices_of)
+  Conflict_free_ranges(std::size_t number_of_elements, std::size_t number_of_vertices, std::size_t size_of_range,
+                       const VerticesOf& vertices_of)
     : number_of_elements_(number_of_elements)
     , size_of_range_(size_of_range)
   {
@@ -74,7 +73,9 @@ private:
   void for_ranges_of(std::size_t color, const Work& work, bool backwards) const
   {
     const std::vector<std::size_t>& firsts = colors_[color];
-    const auto visit = [&](std::size_t i) { work(firsts[i], (std::min)(firsts[i] + size_of_range_, number_of_elements_)); };
+    const auto visit = [&](std::size_t i) {
+      work(firsts[i], (std::min)(firsts[i] + size_of_range_, number_of_elements_));
+    };
     if (color < most_colors - 1)
       return for_each_index(firsts.size(), visit);
     for (std::size_t i = 0; i < firsts.size(); ++i)
@@ -88,6 +89,6 @@ private:
   std::vector<std::size_t> color_of_range_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_CONFLICT_FREE_RANGES_H

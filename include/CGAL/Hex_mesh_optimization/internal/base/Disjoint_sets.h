@@ -12,9 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Disjoint_sets
 {
@@ -43,6 +41,6 @@ private:
   std::vector<std::size_t> parent_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_DISJOINT_SETS_H

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 #if defined(__GNUC__)
 
@@ -114,6 +112,6 @@ struct Lane<Lanes>
 };
 #endif
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_LANES_H

@@ -11,14 +11,12 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 using Vector_3 = Eigen::Vector3d;
 using Matrix_3 = Eigen::Matrix3d;
 using Positions = std::vector<Vector_3>;
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_VECTOR_3_H

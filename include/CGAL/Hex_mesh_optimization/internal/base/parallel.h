@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Calls work() so that the loops in it run in one thread, or else in those of the caller's task arena.
 template <class Work>
@@ -63,10 +61,13 @@ void for_ranges(std::size_t n, const Work& work, std::size_t grain = default_gra
 template <class Work>
 void for_each(std::size_t n, const Work& work, std::size_t grain = default_grain)
 {
-  for_ranges(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      work(i);
-  }, grain);
+  for_ranges(
+    n,
+    [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        work(i);
+    },
+    grain);
 }
 
 // The results of work(begin, end) for ranges that together are 0 … n-1, in order.
@@ -87,6 +88,6 @@ double sum_of_ranges(std::size_t n, const Work& work, std::size_t grain = defaul
   return sum;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_PARALLEL_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Attachment_by_matching
 {
@@ -41,8 +39,9 @@ public:
       ends.push_back(complex.edges[e.edge][0]);
       ends.push_back(complex.edges[e.edge][1]);
     }
-    neighbors_ = Grouped_array(complex.number_of_vertices(), ends.size(), [&](std::size_t k) { return ends[k]; },
-                               [&](std::size_t k) { return ends[k ^ 1]; });
+    neighbors_ = Grouped_array(
+      complex.number_of_vertices(), ends.size(), [&](std::size_t k) { return ends[k]; },
+      [&](std::size_t k) { return ends[k ^ 1]; });
     std::vector<int> vertex_of(surface.points.size(), -1);
     for (int corner : surface.corners) {
       const int v = nearest_free_vertex(surface.points[corner]);
@@ -138,7 +137,8 @@ private:
         const double h = (points_[u] - points_[v]).norm();
         if (h == 0)
           continue;
-        const double off = (curve.closest_point((points_[u] + points_[v]) / 2).point - (points_[u] + points_[v]) / 2).norm() / h;
+        const double off =
+          (curve.closest_point((points_[u] + points_[v]) / 2).point - (points_[u] + points_[v]) / 2).norm() / h;
         if (off > farthest)
           continue;
         const double next = top.first + h * (1 + cost_of_leaving * off * off);
@@ -164,6 +164,6 @@ private:
   Grouped_array neighbors_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_ATTACHMENT_BY_MATCHING_H

@@ -14,19 +14,17 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 enum class Vertex_kind : char { INTERIOR, SURFACE, FEATURE, CORNER, FIXED };
 
 struct Boundary_attachment
 {
   std::vector<Vertex_kind> kind;
-  std::vector<int> curve;  // of a FEATURE vertex
-  Positions corner;        // the place of a CORNER vertex
+  std::vector<int> curve;               // of a FEATURE vertex
+  Positions corner;                     // the place of a CORNER vertex
   std::vector<Corner_rank> corner_rank; // of a CORNER vertex
-  std::vector<int> curve_of_edge; // the curve that an edge of the boundary represents, or -1
+  std::vector<int> curve_of_edge;       // the curve that an edge of the boundary represents, or -1
 
   explicit Boundary_attachment(const Hexahedral_complex& complex)
     : kind(complex.number_of_vertices(), Vertex_kind::INTERIOR)
@@ -82,6 +80,6 @@ inline Boundary_attachment attach_to_own_boundary(const Hexahedral_complex& comp
   return attachment;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_ATTACHMENT_H

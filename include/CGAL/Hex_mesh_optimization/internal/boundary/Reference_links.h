@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Reference_links
 {
@@ -42,7 +40,7 @@ public:
     double distance;
     std::size_t triangle; // of the faces, two each
     bool is_new;          // by the last update
-    Vector_3 direction; // unit vector between the two, or a normal where they coincide
+    Vector_3 direction;   // unit vector between the two, or a normal where they coincide
   };
 
   // quads: of the mesh. spacing: of the samples.
@@ -50,7 +48,8 @@ public:
     : triangles_(split_quads(quads))
     , samples_(spread_samples(surface.points, surface.triangles, quads.size(), spacing))
   {
-    // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be missed
+    // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be
+    // missed
     std::vector<double> around(surface.points.size(), 0.0);
     for (const Triangle_indices& t : surface.triangles) {
       const Vector_3& a = surface.points[t[0]];
@@ -79,12 +78,16 @@ public:
         return links_;
       }
     }
-    const std::unique_ptr<const Smooth_normals> normals = is_first ? std::make_unique<const Smooth_normals>(*known_) : nullptr;
-    for_each(samples_.size(), [&](std::size_t i) {
-      links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
-      if (links_[i].is_new)
-        find_link(i, points, normals.get());
-    }, searches_of_range);
+    const std::unique_ptr<const Smooth_normals> normals = is_first ? std::make_unique<const Smooth_normals>(*known_)
+                                                                   : nullptr;
+    for_each(
+      samples_.size(),
+      [&](std::size_t i) {
+        links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
+        if (links_[i].is_new)
+          find_link(i, points, normals.get());
+      },
+      searches_of_range);
     return links_;
   }
 
@@ -168,13 +171,13 @@ private:
   const std::vector<Triangle_indices> triangles_; // of the faces
   std::vector<Surface_sample> samples_;
   std::vector<Link> links_;
-  std::vector<std::array<Vector_3, 3>> found_at_;   // the vertices of each link
-  std::unique_ptr<Triangle_surface> known_;         // the faces as they were when nearby_ was reset
-  Nearby_triangles nearby_;                         // to each sample
-  std::vector<std::size_t> fast_triangles_;         // those that have moved too far since then
-  std::unique_ptr<Triangle_surface> fast_;          // they, where they are now
+  std::vector<std::array<Vector_3, 3>> found_at_; // the vertices of each link
+  std::unique_ptr<Triangle_surface> known_;       // the faces as they were when nearby_ was reset
+  Nearby_triangles nearby_;                       // to each sample
+  std::vector<std::size_t> fast_triangles_;       // those that have moved too far since then
+  std::unique_ptr<Triangle_surface> fast_;        // they, where they are now
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H

@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Reference_targets
 {
@@ -36,7 +34,8 @@ public:
     nearby_.reset(points);
   }
 
-  // Whether point i, now at p, is as far as `still` from where this last was true: only then its target has to be found anew.
+  // Whether point i, now at p, is as far as `still` from where this last was true: only then its target has to be found
+  // anew.
   bool has_moved(std::size_t i, const Vector_3& p, double still)
   {
     if ((p - queried_at_[i]).squaredNorm() < still * still)
@@ -79,6 +78,6 @@ private:
   Nearby_triangles nearby_;            // to each point
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_TARGETS_H

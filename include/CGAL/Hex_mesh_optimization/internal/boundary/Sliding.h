@@ -19,16 +19,16 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Sliding
 {
 public:
-  // Corners where curves meet are held; other corners, curves and the surface where the boundary has to be on the surface. What already stands on its place at
-  // the points is held from the start, the rest once all of it is called. surface and attachment must outlive the object.
-  Sliding(const Reference_surface& surface, const Boundary_attachment& attachment, Boundary_placement placement, const Positions& points)
+  // Corners where curves meet are held; other corners, curves and the surface where the boundary has to be on the
+  // surface. What already stands on its place at the points is held from the start, the rest once all of it is called.
+  // surface and attachment must outlive the object.
+  Sliding(const Reference_surface& surface, const Boundary_attachment& attachment, Boundary_placement placement,
+          const Positions& points)
     : surface_(surface)
     , attachment_(attachment)
     , kind_(points.size(), Kind::FREE)
@@ -85,35 +85,41 @@ public:
   Freedoms freedoms(const Positions& points) const
   {
     Freedoms result(points.size(), Freedom::everywhere());
-    for_each(points.size(), [&](std::size_t v) {
-      if (kind_[v] == Kind::FIXED)
-        result[v] = Freedom::nowhere();
-      else if (is_bound(v))
-        switch (kind_[v]) {
-        case Kind::CORNER:
+    for_each(
+      points.size(),
+      [&](std::size_t v) {
+        if (kind_[v] == Kind::FIXED)
           result[v] = Freedom::nowhere();
-          break;
-        case Kind::CURVE:
-          result[v] = Freedom::along_line(curve(v).closest_point(points[v]).tangent);
-          break;
-        case Kind::SURFACE:
-          result[v] = Freedom::along_plane(surface_.foot_point(points[v], hints_[v]).normal);
-          break;
-        default:
-          break;
-        }
-    }, searches_of_range);
+        else if (is_bound(v))
+          switch (kind_[v]) {
+          case Kind::CORNER:
+            result[v] = Freedom::nowhere();
+            break;
+          case Kind::CURVE:
+            result[v] = Freedom::along_line(curve(v).closest_point(points[v]).tangent);
+            break;
+          case Kind::SURFACE:
+            result[v] = Freedom::along_plane(surface_.foot_point(points[v], hints_[v]).normal);
+            break;
+          default:
+            break;
+          }
+      },
+      searches_of_range);
     return result;
   }
 
   // Moves those that stood on their places before a step back onto them after it.
   void retract(Positions& points) const
   {
-    for_each(held_.size(), [&](std::size_t i) {
-      const std::size_t v = held_[i];
-      if (is_there_[v] && is_bound(v))
-        points[v] = place(v, points[v]);
-    }, searches_of_range);
+    for_each(
+      held_.size(),
+      [&](std::size_t i) {
+        const std::size_t v = held_[i];
+        if (is_there_[v] && is_bound(v))
+          points[v] = place(v, points[v]);
+      },
+      searches_of_range);
   }
 
   // The ways that those which are called have to their places; zero for all others.
@@ -164,12 +170,12 @@ private:
   const Reference_surface& surface_;
   const Boundary_attachment& attachment_;
   std::vector<Kind> kind_;
-  std::vector<int> held_;        // vertices that are to stand on their places
-  std::vector<char> is_there_;   // of each vertex
+  std::vector<int> held_;      // vertices that are to stand on their places
+  std::vector<char> is_there_; // of each vertex
   bool are_all_called_ = false;
   mutable std::vector<std::size_t> hints_; // for searches; whatever they are, the results are the same
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SLIDING_H

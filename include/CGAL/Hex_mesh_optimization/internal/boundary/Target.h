@@ -8,9 +8,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Target
 {
@@ -38,9 +36,12 @@ struct Target
     return in_direction(place, distance > coincidence ? Vector_3(offset / distance) : normal);
   }
 
-  static Target in_direction(const Vector_3& place, const Vector_3& direction) { return {place, direction * direction.transpose()}; }
+  static Target in_direction(const Vector_3& place, const Vector_3& direction)
+  {
+    return {place, direction * direction.transpose()};
+  }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_TARGET_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 inline Vector_3 face_area_vector(const Hexahedral_complex& complex, const Positions& points, int face)
 {
@@ -54,8 +52,8 @@ inline double bounding_box_diagonal(const Triangle_surface& surface)
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-// Quads of the mesh in triangles: 2f and 2f + 1 for face f. Its vertices keep the indices of the mesh; a quad is split from
-// its first corner, which in the order of hexahedron_faces is the split that most readers of boundary quads apply.
+// Quads of the mesh in triangles: 2f and 2f + 1 for face f. Its vertices keep the indices of the mesh; a quad is split
+// from its first corner, which in the order of hexahedron_faces is the split that most readers of boundary quads apply.
 inline std::vector<Triangle_indices> split_quads(const std::vector<std::array<int, 4>>& quads)
 {
   std::vector<Triangle_indices> triangles;
@@ -73,13 +71,14 @@ inline std::vector<Triangle_indices> boundary_triangles(const Hexahedral_complex
 }
 
 // The boundary of the mesh as a reference of its own.
-inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex, const Positions& points,
-                                                                const Feature_parameters& features)
+inline std::unique_ptr<Reference_surface>
+boundary_as_reference(const Hexahedral_complex& complex, const Positions& points, const Feature_parameters& features)
 {
   return std::make_unique<Reference_surface>(points, boundary_triangles(complex),
-                                             sharp_boundary_edges(complex, points, features.angle_bound), false, features);
+                                             sharp_boundary_edges(complex, points, features.angle_bound), false,
+                                             features);
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_H

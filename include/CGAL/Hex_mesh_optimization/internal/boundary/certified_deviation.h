@@ -7,10 +7,11 @@
 // How far two surfaces are apart at most: a bound that is shown, where deviation.h
 // measures at samples.
 //
-// The distance to a convex set is convex. Over a convex polygon, the distance to a surface is therefore at most the largest
-// distance of the corners of the polygon to any one triangle of the surface. Where that is too much, the polygon is cut along
-// the sides of the triangle and each piece compared with the triangle close to it: so two surfaces that run along each other
-// need about as many pieces as triangles of the one lie over those of the other, however small the bound is.
+// The distance to a convex set is convex. Over a convex polygon, the distance to a surface is therefore at most the
+// largest distance of the corners of the polygon to any one triangle of the surface. Where that is too much, the
+// polygon is cut along the sides of the triangle and each piece compared with the triangle close to it: so two surfaces
+// that run along each other need about as many pieces as triangles of the one lie over those of the other, however
+// small the bound is.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
@@ -29,17 +30,15 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Certification_parameters
 {
-  // Where the surfaces turn out to be farther apart than asked for, the bound is within this part of the largest distance
-  // found; infinite: it is whatever is known by then.
+  // Where the surfaces turn out to be farther apart than asked for, the bound is within this part of the largest
+  // distance found; infinite: it is whatever is known by then.
   double tolerance = .01;
-  // That may be made of each triangle of both surfaces on average. Bunny with its boundary vertices slid along the surface by
-  // 2% or 20% of an edge needs 2, and up to 6 of the triangles that are cut at all.
+  // That may be made of each triangle of both surfaces on average. Bunny with its boundary vertices slid along the
+  // surface by 2% or 20% of an edge needs 2, and up to 6 of the triangles that are cut at all.
   std::size_t pieces = 32;
 };
 
@@ -72,8 +71,8 @@ public:
     return sum / double(size_);
   }
 
-  // The parts behind and before a plane, which together are all of it; one is empty if the plane does not divide it. What is
-  // within the tolerance of the plane counts for both.
+  // The parts behind and before a plane, which together are all of it; one is empty if the plane does not divide it.
+  // What is within the tolerance of the plane counts for both.
   std::array<Convex_polygon, 2> cut(const Vector_3& point, const Vector_3& unit_normal, double tolerance) const
   {
     std::array<Convex_polygon, 2> parts;
@@ -94,7 +93,8 @@ public:
         parts[0].add(corners_[i]);
       if (height[i] >= -tolerance)
         parts[1].add(corners_[i]);
-      if ((height[i] < -tolerance && height[next] > tolerance) || (height[i] > tolerance && height[next] < -tolerance)) {
+      if ((height[i] < -tolerance && height[next] > tolerance) ||
+          (height[i] > tolerance && height[next] < -tolerance)) {
         const Vector_3 p = corners_[i] + height[i] / (height[i] - height[next]) * (corners_[next] - corners_[i]);
         parts[0].add(p);
         parts[1].add(p);
@@ -158,7 +158,8 @@ public:
     }
   };
 
-  // rounding: how far coordinates and distances may be off. The surfaces, neither of them empty, must outlive the object.
+  // rounding: how far coordinates and distances may be off. The surfaces, neither of them empty, must outlive the
+  // object.
   One_sided_distance(const Triangle_surface& from, const Triangle_surface& to, double rounding)
     : from_(from)
     , to_(to)
@@ -210,7 +211,8 @@ public:
           part.note(here.distance, here.where);
         }
       });
-      open.erase(std::remove_if(open.begin(), open.end(), [&](std::size_t t) { return !bounds[t].is_open; }), open.end());
+      open.erase(std::remove_if(open.begin(), open.end(), [&](std::size_t t) { return !bounds[t].is_open; }),
+                 open.end());
     }
     double result = 0;
     for (const Bounded& b : bounds)
@@ -240,15 +242,21 @@ private:
   template <class Work>
   static void note_all(Found& found, std::size_t n, const Work& work)
   {
-    for (const Found& part : results_of_ranges<Found>(n, [&](std::size_t begin, std::size_t end) {
-           Found part;
-           work(begin, end, part);
-           return part;
-         }, grain))
+    for (const Found& part : results_of_ranges<Found>(
+           n,
+           [&](std::size_t begin, std::size_t end) {
+             Found part;
+             work(begin, end, part);
+             return part;
+           },
+           grain))
       found.note(part.distance, part.where);
   }
 
-  Convex_polygon polygon(std::size_t t) const { return Convex_polygon(from_.corner(t, 0), from_.corner(t, 1), from_.corner(t, 2)); }
+  Convex_polygon polygon(std::size_t t) const
+  {
+    return Convex_polygon(from_.corner(t, 0), from_.corner(t, 1), from_.corner(t, 2));
+  }
 
   Surface_point search(const Vector_3& p, std::size_t hint, Found& found) const
   {
@@ -283,7 +291,8 @@ private:
   }
 
   // heap: for repeated use
-  Bounded bound(std::size_t triangle, double target, double tolerance, std::size_t most, std::vector<Piece>& heap, Found& found) const
+  Bounded bound(std::size_t triangle, double target, double tolerance, std::size_t most, std::vector<Piece>& heap,
+                Found& found) const
   {
     double shown = 0; // by the pieces that are done with
     heap.clear();
@@ -305,7 +314,7 @@ private:
     const double infinity = std::numeric_limits<double>::infinity();
     const Convex_polygon whole = polygon(triangle);
     add(whole, Piece{whole, infinity, foot_[triangle]});
-    for (std::size_t pieces = 1; !heap.empty() && heap.front().bound > threshold(target, tolerance, found); ) {
+    for (std::size_t pieces = 1; !heap.empty() && heap.front().bound > threshold(target, tolerance, found);) {
       if (pieces >= most)
         return {(std::max)(shown, heap.front().bound), true};
       std::pop_heap(heap.begin(), heap.end());
@@ -319,7 +328,8 @@ private:
     return {heap.empty() ? shown : (std::max)(shown, heap.front().bound), false};
   }
 
-  // Calls add(polygon, piece) for the parts of a piece. How many there are; or none, and the bound of the piece is good enough.
+  // Calls add(polygon, piece) for the parts of a piece. How many there are; or none, and the bound of the piece is good
+  // enough.
   template <class Add>
   std::size_t divide(Piece& piece, double target, double tolerance, Found& found, const Add& add) const
   {
@@ -370,9 +380,10 @@ private:
   std::vector<Surface_point> foot_; // of the center of each triangle
 };
 
-// Of two surfaces; target: the bound to show. O(n log n) for n triangles that lie over each other like those of two meshes
-// of one shape. What is found does not depend on the number of threads. Nothing is shown if a surface is empty.
-inline Certified_deviation certified_distance(const Triangle_surface& first, const Triangle_surface& second, double target,
+// Of two surfaces; target: the bound to show. O(n log n) for n triangles that lie over each other like those of two
+// meshes of one shape. What is found does not depend on the number of threads. Nothing is shown if a surface is empty.
+inline Certified_deviation certified_distance(const Triangle_surface& first, const Triangle_surface& second,
+                                              double target,
                                               const Certification_parameters& parameters = Certification_parameters())
 {
   Certified_deviation result;
@@ -404,8 +415,8 @@ inline Certified_deviation certified_deviation(const Hexahedral_complex& complex
   return certified_distance(Triangle_surface(points, boundary_triangles(complex)), reference, target, parameters);
 }
 
-// How far the bilinear faces of the boundary are from their two triangles at most, whichever diagonal those share: at the
-// center of the face, where that is |a - b + c - d| / 4.
+// How far the bilinear faces of the boundary are from their two triangles at most, whichever diagonal those share: at
+// the center of the face, where that is |a - b + c - d| / 4.
 inline double bilinear_excess(const Hexahedral_complex& complex, const Positions& points)
 {
   double largest = 0;
@@ -416,6 +427,6 @@ inline double bilinear_excess(const Hexahedral_complex& complex, const Positions
   return largest;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CERTIFIED_DEVIATION_H

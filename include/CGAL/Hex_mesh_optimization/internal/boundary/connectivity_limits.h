@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // The determinant d of the unit edges of a corner is sin α · sin β · sin γ, with α and β the angles that one edge makes
 // with the other two and γ the dihedral angle at it. So d is at most the sine of each plane and each dihedral
@@ -109,16 +107,21 @@ private:
             limit(static_cast<int>(h), Connectivity_limit_reason::INTERIOR_EDGE, largest_sine(2, n));
         }
         else if (n != 2 && attachment_.curve_of_edge[e] < 0 && (is_on_smooth_patch(a) || is_on_smooth_patch(b)))
-          limit(static_cast<int>(h), n == 1 ? Connectivity_limit_reason::FLAT_EDGE : Connectivity_limit_reason::SMOOTH_EDGE,
+          limit(static_cast<int>(h),
+                n == 1 ? Connectivity_limit_reason::FLAT_EDGE : Connectivity_limit_reason::SMOOTH_EDGE,
                 largest_sine(1, n));
       }
   }
 
   // At corners there may be no tangent plane, as at the apex of a cone.
-  static bool is_on_smooth_patch(Vertex_kind kind) { return kind == Vertex_kind::SURFACE || kind == Vertex_kind::FEATURE; }
+  static bool is_on_smooth_patch(Vertex_kind kind)
+  {
+    return kind == Vertex_kind::SURFACE || kind == Vertex_kind::FEATURE;
+  }
 
   // The solid angles sum up to 4 pi. The largest determinant grows up to the right-angled corner, one of eight, and
-  // falls beyond. So the least of more than eight solid angles, and the largest of fewer, allow no more than the mean one.
+  // falls beyond. So the least of more than eight solid angles, and the largest of fewer, allow no more than the mean
+  // one.
   void limit_at_interior_vertex(std::size_t v)
   {
     const auto hexahedra = complex_.vertex_hexahedra[v];
@@ -192,6 +195,6 @@ inline std::vector<Connectivity_limit> connectivity_limits(const Hexahedral_comp
   return Connectivity_limit_search(complex, attachment).limits();
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CONNECTIVITY_LIMITS_H

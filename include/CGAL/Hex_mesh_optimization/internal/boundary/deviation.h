@@ -18,32 +18,34 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Distances from points spread over one surface to the other. O(samples · log triangles).
-inline void extend_deviation(const Triangle_surface& from, const Triangle_surface& to, std::size_t number_of_boundary_faces,
-                             double spacing, Deviation& deviation)
+inline void extend_deviation(const Triangle_surface& from, const Triangle_surface& to,
+                             std::size_t number_of_boundary_faces, double spacing, Deviation& deviation)
 {
   struct Part
   {
     double sum = 0, weight = 0, largest = 0;
   };
-  const std::vector<Surface_sample> samples = spread_samples(from.points, from.triangles, number_of_boundary_faces, spacing);
-  const auto parts = results_of_ranges<Part>(samples.size(), [&](std::size_t begin, std::size_t end) {
-    Part part;
-    std::size_t hint = Surface_point::no_hint; // the next sample is not far
-    for (std::size_t i = begin; i < end; ++i) {
-      const Surface_point foot = to.closest_point(samples[i].point, hint);
-      hint = foot.hint;
-      const double distance = (foot.point - samples[i].point).norm();
-      part.sum += samples[i].area * distance;
-      part.weight += samples[i].area;
-      part.largest = (std::max)(part.largest, distance);
-    }
-    return part;
-  }, 1024);
+  const std::vector<Surface_sample> samples = spread_samples(from.points, from.triangles, number_of_boundary_faces,
+                                                             spacing);
+  const auto parts = results_of_ranges<Part>(
+    samples.size(),
+    [&](std::size_t begin, std::size_t end) {
+      Part part;
+      std::size_t hint = Surface_point::no_hint; // the next sample is not far
+      for (std::size_t i = begin; i < end; ++i) {
+        const Surface_point foot = to.closest_point(samples[i].point, hint);
+        hint = foot.hint;
+        const double distance = (foot.point - samples[i].point).norm();
+        part.sum += samples[i].area * distance;
+        part.weight += samples[i].area;
+        part.largest = (std::max)(part.largest, distance);
+      }
+      return part;
+    },
+    1024);
   double sum = 0, weight = 0, largest = 0;
   for (const Part& part : parts) {
     sum += part.sum;
@@ -55,8 +57,8 @@ inline void extend_deviation(const Triangle_surface& from, const Triangle_surfac
   deviation.maximum = (std::max)(deviation.maximum, largest);
 }
 
-inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points, const Triangle_surface& reference,
-                           double spacing)
+inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points,
+                           const Triangle_surface& reference, double spacing)
 {
   Deviation result;
   const Triangle_surface boundary(points, boundary_triangles(complex));
@@ -71,6 +73,6 @@ inline Deviation deviation(const Hexahedral_complex& complex, const Positions& p
   return result;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_DEVIATION_H

@@ -21,13 +21,11 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Distances are in units of the local edge length.
-// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
-// hexahedra.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to
+// 38,000 hexahedra.
 struct Boundary_parameters
 {
   // Slope of the energy over the distance d, in a mesh whose mean boundary edge is one fiftieth of the diagonal of the
@@ -37,21 +35,26 @@ struct Boundary_parameters
   double size_exponent = 1.35;
   // Factor for a reference of its own. The boundary of a mesh, taken for its own reference, is as rough as the mesh.
   double trust = 5;
-  // Below this the energy is quadratic, above linear: with the square of d the same average deviation buys less quality.
+  // Below this the energy is quadratic, above linear: with the square of d the same average deviation buys less
+  // quality.
   double linear_distance = .027;
-  // From about this distance on an additional term grows with the sixth power, up to twice the distance; relative to the
-  // geometric mean of the edge and its typical length, as the bound has to suit both the element and the model.
+  // From about this distance on an additional term grows with the sixth power, up to twice the distance; relative to
+  // the geometric mean of the edge and its typical length, as the bound has to suit both the element and the model.
   double steep_weight = .25;
   double steep_distance = .19;
 
   Boundary_sample_parameters samples;
 };
 
-// The energy of each sample, for a reference in units of the mean boundary edge. trusted: it is not the boundary of the mesh itself.
-inline Distance_energy boundary_distance_energy(const Reference_surface& surface, bool trusted, const Boundary_parameters& parameters)
+// The energy of each sample, for a reference in units of the mean boundary edge. trusted: it is not the boundary of the
+// mesh itself.
+inline Distance_energy boundary_distance_energy(const Reference_surface& surface, bool trusted,
+                                                const Boundary_parameters& parameters)
 {
-  const double typical = parameters.typical_edge * bounding_box_diagonal(surface); // over the mean boundary edge, which is 1
-  const double weight = parameters.attachment_weight / std::pow(typical, parameters.size_exponent) * (trusted ? parameters.trust : 1);
+  const double typical = parameters.typical_edge *
+                         bounding_box_diagonal(surface); // over the mean boundary edge, which is 1
+  const double weight = parameters.attachment_weight / std::pow(typical, parameters.size_exponent) *
+                        (trusted ? parameters.trust : 1);
   return {weight, parameters.linear_distance, parameters.steep_weight, parameters.steep_distance * std::sqrt(typical)};
 }
 
@@ -70,14 +73,17 @@ public:
 
   double value(const Positions& points) const
   {
-    return tightness * sum_of_ranges(samples_.samples().size(), [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        const Boundary_sample& s = samples_.samples()[i];
-        sum += s.weight * s.emphasis * distance_.value(s.offset(points).norm() / s.scale);
-      }
-      return sum;
-    }) + (samples_.is_bounded() ? value_of_walls(points) : 0);
+    return tightness * sum_of_ranges(samples_.samples().size(),
+                                     [&](std::size_t begin, std::size_t end) {
+                                       double sum = 0;
+                                       for (std::size_t i = begin; i < end; ++i) {
+                                         const Boundary_sample& s = samples_.samples()[i];
+                                         sum += s.weight * s.emphasis *
+                                                distance_.value(s.offset(points).norm() / s.scale);
+                                       }
+                                       return sum;
+                                     }) +
+           (samples_.is_bounded() ? value_of_walls(points) : 0);
   }
 
   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
@@ -91,25 +97,27 @@ public:
 private:
   static constexpr std::size_t faces_of_range = 64;
 
-  // w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D: whatever the tightness, the tube does not give.
+  // w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D: whatever the tightness, the tube does
+  // not give.
   double value_of_walls(const Positions& points) const
   {
     return samples_.wall_weight() * sum_of_ranges(samples_.samples().size(), [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        const Boundary_sample& s = samples_.samples()[i];
-        const double x = s.offset(points).squaredNorm() / (s.wall * s.wall);
-        sum += s.weight * x * x * x;
-      }
-      return sum;
-    });
+             double sum = 0;
+             for (std::size_t i = begin; i < end; ++i) {
+               const Boundary_sample& s = samples_.samples()[i];
+               const double x = s.offset(points).squaredNorm() / (s.wall * s.wall);
+               sum += s.weight * x * x * x;
+             }
+             return sum;
+           });
   }
 
   // Samples share faces, so that the matrix is visited once for all of one face.
   void add_derivatives_of_face(std::size_t f, const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
     const std::array<int, 4>& corners = samples_.faces()[f];
-    using Symmetric = Eigen::Matrix<double, 6, 1>; // xx, xy, xz, yy, yz, zz: as shares are numbers, all blocks are symmetric
+    using Symmetric =
+      Eigen::Matrix<double, 6, 1>; // xx, xy, xz, yy, yz, zz: as shares are numbers, all blocks are symmetric
     Symmetric blocks[4][4];
     Vector_3 gradients[4];
     for (int i = 0; i < 4; ++i) {
@@ -124,15 +132,17 @@ private:
       const Distance_energy::Derivatives e = distance_.derivatives(offset.norm() / s.scale);
       double slope = weight * e.slope, growth = weight * e.growth / square;
       if (samples_.is_bounded()) {
-        const double D2 = s.wall * s.wall, x = offset.squaredNorm() / D2, u = 6 * samples_.wall_weight() * s.weight * x / D2;
+        const double D2 = s.wall * s.wall, x = offset.squaredNorm() / D2,
+                     u = 6 * samples_.wall_weight() * s.weight * x / D2;
         slope += u * x;
         growth += 4 * u / D2;
       }
       const Vector_3 force = slope * offset, o = growth * offset;
       const Matrix_3& P = s.target.projector;
       Symmetric hessian;
-      hessian << slope * P(0, 0) + o[0] * offset[0], slope * P(0, 1) + o[0] * offset[1], slope * P(0, 2) + o[0] * offset[2],
-        slope * P(1, 1) + o[1] * offset[1], slope * P(1, 2) + o[1] * offset[2], slope * P(2, 2) + o[2] * offset[2];
+      hessian << slope * P(0, 0) + o[0] * offset[0], slope * P(0, 1) + o[0] * offset[1],
+        slope * P(0, 2) + o[0] * offset[2], slope * P(1, 1) + o[1] * offset[1], slope * P(1, 2) + o[1] * offset[2],
+        slope * P(2, 2) + o[2] * offset[2];
       double shares[4] = {0, 0, 0, 0};
       for (int k = 0; k < s.count; ++k)
         shares[std::find(corners.begin(), corners.end(), s.vertices[k]) - corners.begin()] = s.shares[k];
@@ -148,7 +158,8 @@ private:
       gradient[corners[i]] += gradients[i];
       for (int j = 0; j <= i; ++j) {
         const Symmetric& b = blocks[i][j];
-        matrix.add(corners[i], corners[j], (Matrix_3() << b[0], b[1], b[2], b[1], b[3], b[4], b[2], b[4], b[5]).finished());
+        matrix.add(corners[i], corners[j],
+                   (Matrix_3() << b[0], b[1], b[2], b[1], b[3], b[4], b[2], b[4], b[5]).finished());
       }
     }
   }
@@ -158,6 +169,6 @@ private:
   const Conflict_free_ranges ranges_; // of the faces
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_ENERGY_H

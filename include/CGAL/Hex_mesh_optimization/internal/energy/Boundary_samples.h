@@ -28,17 +28,15 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Lengths are in mean boundary edges unless something else is said.
-// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
-// hexahedra.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to
+// 38,000 hexahedra.
 struct Boundary_sample_parameters
 {
-  // Weights of the samples, times the third power of the local edge: one for the distance, which is relative to it, and two
-  // for the area, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
+  // Weights of the samples, times the third power of the local edge: one for the distance, which is relative to it, and
+  // two for the area, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
   double edge_weight = .5;
   // Of samples of the reference, per area of one squared edge, and per edge length of a feature curve.
   double pull_weight = 10.2;
@@ -49,8 +47,8 @@ struct Boundary_sample_parameters
   // Samples keep their targets until they have moved this far, in local edge lengths.
   double still_distance = .02;
 
-  // What is tolerated where no bound is given, in local edge lengths: a mesh farther than that from a reference of its own
-  // has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
+  // What is tolerated where no bound is given, in local edge lengths: a mesh farther than that from a reference of its
+  // own has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
   double tolerance = .3;
 
   // --- Where distances are bounded ---
@@ -58,16 +56,18 @@ struct Boundary_sample_parameters
   double kept_part = .95;
   // While the boundary is attached with a tightness t < 1, the bound is larger by t to the power of minus this.
   double loosening = .25;
-  // The tighter the bound is over this part of the local edge, the more the average distance counts too, with a root of that.
+  // The tighter the bound is over this part of the local edge, the more the average distance counts too, with a root of
+  // that.
   double close_distance = .19;
-  // Weight of the wall of the tube, and where it stands: at this part of the bound, or of the distance if that is larger: what
-  // is outside is drawn in step by step.
+  // Weight of the wall of the tube, and where it stands: at this part of the bound, or of the distance if that is
+  // larger: what is outside is drawn in step by step.
   double wall_weight = 3;
   double wall = .9;
   // A step may not take a sample farther than this part of the bound, or so much farther than it is.
   double most_of_bound = .95;
   double most_growth = 1.2;
-  // Further samples, on a lattice of so many parts along an edge, weigh so much; those of the reference are nearer by the factor.
+  // Further samples, on a lattice of so many parts along an edge, weigh so much; those of the reference are nearer by
+  // the factor.
   int parts = 4;
   double further_weight = .1;
   double reference_refinement = .5;
@@ -83,7 +83,7 @@ struct Boundary_sample
   double weight;
   Vertex_kind kind;
   int curve;
-  double scale = 0;  // of the distance: the local edge length
+  double scale = 0;                                       // of the distance: the local edge length
   double bound = std::numeric_limits<double>::infinity(); // of the distance
   double wall = std::numeric_limits<double>::infinity();  // of the distance, for now
   double emphasis = 1;                                    // factor of the weight, but at the wall
@@ -104,11 +104,11 @@ struct Boundary_sample
 class Boundary_samples
 {
 public:
-  // lengths: the target lengths of the edges. trusted: the reference is not the boundary of the mesh itself. maximum_deviation: the bound of all distances. The complex, the surface and
-  // the attachment must outlive the object.
+  // lengths: the target lengths of the edges. trusted: the reference is not the boundary of the mesh itself.
+  // maximum_deviation: the bound of all distances. The complex, the surface and the attachment must outlive the object.
   Boundary_samples(const Hexahedral_complex& complex, Surface_faces faces, const Reference_surface& surface,
-                   const Boundary_attachment& attachment, const std::vector<double>& lengths, bool trusted, double maximum_deviation,
-                   const Boundary_sample_parameters& parameters)
+                   const Boundary_attachment& attachment, const std::vector<double>& lengths, bool trusted,
+                   double maximum_deviation, const Boundary_sample_parameters& parameters)
     : parameters_(parameters)
     , maximum_deviation_(maximum_deviation)
     , tolerance_(trusted ? parameters.tolerance : std::numeric_limits<double>::infinity())
@@ -117,32 +117,38 @@ public:
     , scale_(mean_lengths(complex, faces_, lengths))
     , own_count_(add_samples(complex))
     , targets_(surface, own_count_)
-    , reference_links_(faces_.quads, surface, parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1))
+    , reference_links_(faces_.quads, surface,
+                       parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1))
     , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
   {}
 
-  // Finds the targets of all samples from the present positions. What has hardly moved keeps its own. tightness: with which
-  // the boundary is attached.
+  // Finds the targets of all samples from the present positions. What has hardly moved keeps its own. tightness: with
+  // which the boundary is attached.
   void update(const Positions& points, double tightness)
   {
-    for_each(own_count_, [&](std::size_t i) {
-      const Vector_3 p = samples_[i].place(points);
-      if (targets_.has_moved(i, p, parameters_.still_distance * samples_[i].scale))
-        aim(i, p);
-    }, searches_of_range);
+    for_each(
+      own_count_,
+      [&](std::size_t i) {
+        const Vector_3 p = samples_[i].place(points);
+        if (targets_.has_moved(i, p, parameters_.still_distance * samples_[i].scale))
+          aim(i, p);
+      },
+      searches_of_range);
     const std::vector<Reference_links::Link>& links = reference_links_.update(points, parameters_.still_distance);
-    samples_.resize(own_count_ + links.size() + curve_links_.size()); 
+    samples_.resize(own_count_ + links.size() + curve_links_.size());
     for_each(links.size(), [&](std::size_t i) {
       if (links[i].is_new)
         follow(links[i], samples_[own_count_ + i]);
     });
-    for_each(curve_links_.size(), [&](std::size_t i) {
-      follow(curve_links_.link(i, points), points, samples_[own_count_ + links.size() + i]);
-    }, curve_searches_of_range);
+    for_each(
+      curve_links_.size(),
+      [&](std::size_t i) { follow(curve_links_.link(i, points), points, samples_[own_count_ + links.size() + i]); },
+      curve_searches_of_range);
     if (is_bounded())
       bound(points, tightness);
-    of_face_ = Grouped_array(faces_.quads.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
-                             [](std::size_t i) { return static_cast<int>(i); });
+    of_face_ = Grouped_array(
+      faces_.quads.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
+      [](std::size_t i) { return static_cast<int>(i); });
   }
 
   // Those of the mesh first, then those of the reference.
@@ -172,7 +178,8 @@ public:
   }
 
   // Tells which hexahedra have a sample that gets too far from its target when the points go to where they are reached.
-  void find_leaving(const Positions& points, const Positions& reached, const Hexahedral_complex& complex, std::vector<char>& is_leaving) const
+  void find_leaving(const Positions& points, const Positions& reached, const Hexahedral_complex& complex,
+                    std::vector<char>& is_leaving) const
   {
     if (!is_bounded())
       return;
@@ -192,7 +199,8 @@ private:
   static constexpr std::size_t searches_of_range = 256, curve_searches_of_range = 64;
 
   // Of the edges of the faces around each vertex.
-  static std::vector<double> mean_lengths(const Hexahedral_complex& complex, const Surface_faces& faces, const std::vector<double>& lengths)
+  static std::vector<double> mean_lengths(const Hexahedral_complex& complex, const Surface_faces& faces,
+                                          const std::vector<double>& lengths)
   {
     std::vector<double> sum(complex.number_of_vertices(), 0.0), count(complex.number_of_vertices(), 0.0);
     for (const Surface_faces::Edge& e : faces.edges)
@@ -227,7 +235,8 @@ private:
   {
     for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
       if (faces_.face_of_vertex[v] >= 0 && attachment_.kind[v] != Vertex_kind::FIXED)
-        add({{static_cast<int>(v)}, {1.0}, 1, faces_.face_of_vertex[v], 1.0, attachment_.kind[v], attachment_.curve[v]});
+        add(
+          {{static_cast<int>(v)}, {1.0}, 1, faces_.face_of_vertex[v], 1.0, attachment_.kind[v], attachment_.curve[v]});
     for (std::size_t f = 0; f < faces_.quads.size(); ++f)
       add(on_face(f, .5, .5, 1.0));
     if (is_bounded())
@@ -256,11 +265,12 @@ private:
             add(on_face(f, double(i) / n, double(j) / n, parameters_.further_weight));
   }
 
-  // On the triangle of a face that it is in: the reference is split in the same way where it is the boundary that came in, so
-  // that this lies on it, even where faces are warped.
+  // On the triangle of a face that it is in: the reference is split in the same way where it is the boundary that came
+  // in, so that this lies on it, even where faces are warped.
   Boundary_sample on_face(std::size_t f, double u, double v, double weight) const
   {
-    const std::array<double, 4> shares = u > v ? std::array<double, 4>{1 - u, u - v, v, 0} : std::array<double, 4>{1 - v, 0, u, v - u};
+    const std::array<double, 4> shares = u > v ? std::array<double, 4>{1 - u, u - v, v, 0}
+                                               : std::array<double, 4>{1 - v, 0, u, v - u};
     return {faces_.quads[f], shares, 4, static_cast<int>(f), weight, Vertex_kind::SURFACE, -1};
   }
 
@@ -278,8 +288,13 @@ private:
   // A sample of the reference pulls the point of the faces that it is linked to.
   void follow(const Reference_links::Link& link, Boundary_sample& s) const
   {
-    s = {{link.vertices[0], link.vertices[1], link.vertices[2], -1}, {link.weights[0], link.weights[1], link.weights[2], 0}, 3,
-         static_cast<int>(link.triangle / 2), parameters_.pull_weight, Vertex_kind::SURFACE, -1};
+    s = {{link.vertices[0], link.vertices[1], link.vertices[2], -1},
+         {link.weights[0], link.weights[1], link.weights[2], 0},
+         3,
+         static_cast<int>(link.triangle / 2),
+         parameters_.pull_weight,
+         Vertex_kind::SURFACE,
+         -1};
     weigh(s);
     s.weight *= link.area / (s.scale * s.scale);
     s.target = Target::in_direction(link.sample, link.direction);
@@ -288,8 +303,13 @@ private:
   // A sample of a feature curve pulls the point of an edge that it is linked to.
   void follow(const Curve_links::Link& link, const Positions& points, Boundary_sample& s) const
   {
-    s = {{link.vertices[0], link.vertices[1]}, {link.shares[0], link.shares[1]}, 2, link.face, parameters_.curve_pull_weight,
-         Vertex_kind::FEATURE, -1};
+    s = {{link.vertices[0], link.vertices[1]},
+         {link.shares[0], link.shares[1]},
+         2,
+         link.face,
+         parameters_.curve_pull_weight,
+         Vertex_kind::FEATURE,
+         -1};
     weigh(s);
     s.target = Target::on_plane(link.sample, s.place(points), Vector_3::UnitX());
   }
@@ -306,7 +326,8 @@ private:
       Boundary_sample& s = samples_[i];
       s.bound = bound;
       s.wall = parameters_.wall * (std::max)(bound, s.offset(points).norm());
-      s.emphasis = std::sqrt((std::max)(1.0, parameters_.close_distance * s.scale / (parameters_.kept_part * maximum_deviation_)));
+      s.emphasis = std::sqrt(
+        (std::max)(1.0, parameters_.close_distance * s.scale / (parameters_.kept_part * maximum_deviation_)));
     });
   }
 
@@ -324,6 +345,6 @@ private:
   Grouped_array of_face_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_SAMPLES_H

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 //   φ(d) = w ε (√(1 + (d/ε)²) − 1) + v ψ(d/D),   ψ(x) = x⁶ up to x = 2, and its tangent beyond.
 // Linear in the distance, it prefers few samples that are far to all of them a little; D bounds how far; the tangent
@@ -39,11 +37,12 @@ struct Distance_energy
   {
     const double e = d / linear_distance, x = d / steep_distance, y = (std::min)(x, 2.0), y4 = y * y * y * y;
     const double D2 = steep_distance * steep_distance;
-    return {linear_weight / (linear_distance * std::sqrt(1 + e * e)) + (x > 0 ? steep_weight * 6 * y4 * y / (x * D2) : 0),
+    return {linear_weight / (linear_distance * std::sqrt(1 + e * e)) +
+              (x > 0 ? steep_weight * 6 * y4 * y / (x * D2) : 0),
             x < 2 ? steep_weight * 24 * x * x / (D2 * D2) : 0};
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_DISTANCE_ENERGY_H

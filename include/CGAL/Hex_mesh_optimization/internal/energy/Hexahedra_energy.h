@@ -18,18 +18,16 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Hexahedra_energy
 {
 public:
-  // floors: what each corner is penalized below. assembly: for the matrix that the derivatives are added to. All but the
-  // numbers must outlive the object.
-  Hexahedra_energy(const Hexahedral_complex& complex, const Hexahedron_batches& hexahedra, const Hexahedron_assembly& assembly,
-                   const Batched_values<8>& floors, const std::vector<double>& target_lengths,
-                   const Hexahedron_energy_parameters& parameters)
+  // floors: what each corner is penalized below. assembly: for the matrix that the derivatives are added to. All but
+  // the numbers must outlive the object.
+  Hexahedra_energy(const Hexahedral_complex& complex, const Hexahedron_batches& hexahedra,
+                   const Hexahedron_assembly& assembly, const Batched_values<8>& floors,
+                   const std::vector<double>& target_lengths, const Hexahedron_energy_parameters& parameters)
     : complex_(complex)
     , hexahedra_(hexahedra)
     , assembly_(assembly)
@@ -79,6 +77,6 @@ private:
   Hexahedron_energy energy_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRA_ENERGY_H

@@ -18,27 +18,27 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Hexahedron_assembly
 {
 public:
-  // For matrices with the couplings of this one, which must be those of the complex. The complex must outlive the object.
+  // For matrices with the couplings of this one, which must be those of the complex. The complex must outlive the
+  // object.
   Hexahedron_assembly(const Hexahedral_complex& complex, const Block_matrix& matrix)
     : hexahedra_(complex.hexahedra)
     , slots_(complex.hexahedra.size())
   {
     for (std::size_t h = 0; h < hexahedra_.size(); ++h)
       for (int k = 0; k < Hexahedron_couplings::number; ++k)
-        slots_[h][k] = matrix.slot(hexahedra_[h][hexahedron_couplings.first[k]], hexahedra_[h][hexahedron_couplings.second[k]]);
+        slots_[h][k] = matrix.slot(hexahedra_[h][hexahedron_couplings.first[k]],
+                                   hexahedra_[h][hexahedron_couplings.second[k]]);
   }
 
   // Adds what one lane holds for a hexahedron.
   template <class Real>
-  void add(std::size_t hexahedron, const Hexahedron_derivatives<Real>& derivatives, int lane_of_hexahedron, Positions& gradient,
-           Block_matrix& matrix) const
+  void add(std::size_t hexahedron, const Hexahedron_derivatives<Real>& derivatives, int lane_of_hexahedron,
+           Positions& gradient, Block_matrix& matrix) const
   {
     const Hexahedron& h = hexahedra_[hexahedron];
     const auto entry = [lane_of_hexahedron](const Real& x) { return lane(x, lane_of_hexahedron); };
@@ -66,6 +66,6 @@ private:
   std::vector<std::array<Block_matrix::Slot, Hexahedron_couplings::number>> slots_; // of each coupling
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_ASSEMBLY_H

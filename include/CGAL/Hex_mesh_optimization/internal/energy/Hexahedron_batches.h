@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // A number of values for each hexahedron.
 template <int number_of_values>
@@ -36,7 +34,8 @@ public:
 
   void set(std::size_t hexahedron, int k, double value)
   {
-    set_lane(values_[hexahedron / number_of_lanes].value[k], static_cast<int>(hexahedron % number_of_lanes), static_cast<float>(value));
+    set_lane(values_[hexahedron / number_of_lanes].value[k], static_cast<int>(hexahedron % number_of_lanes),
+             static_cast<float>(value));
   }
 
   double get(std::size_t hexahedron, int k) const
@@ -122,12 +121,15 @@ public:
   template <class Work>
   double sum(const Work& work) const
   {
-    return sum_of_ranges(size(), [&](std::size_t begin, std::size_t end) {
-      double result = 0;
-      for (std::size_t i = begin; i < end; ++i)
-        result += work(i);
-      return result;
-    }, batches_of_range);
+    return sum_of_ranges(
+      size(),
+      [&](std::size_t begin, std::size_t end) {
+        double result = 0;
+        for (std::size_t i = begin; i < end; ++i)
+          result += work(i);
+        return result;
+      },
+      batches_of_range);
   }
 
   // Adds the derivatives of a batch.
@@ -145,7 +147,8 @@ private:
   {
     std::vector<int> result;
     for (int l = 0; l < number_of_hexahedra(batch); ++l)
-      result.insert(result.end(), hexahedra_[first_hexahedron(batch) + l].begin(), hexahedra_[first_hexahedron(batch) + l].end());
+      result.insert(result.end(), hexahedra_[first_hexahedron(batch) + l].begin(),
+                    hexahedra_[first_hexahedron(batch) + l].end());
     return result;
   }
 
@@ -153,6 +156,6 @@ private:
   const Conflict_free_ranges ranges_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_BATCHES_H

@@ -13,9 +13,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // The edges of a hexahedron, in the order of hexahedron_edges.
 template <class Real>
@@ -102,17 +100,19 @@ struct Corner_quadratic
   // by e_i is c_i = slope · cross_i / |e_i|, and through log s of the scaled Jacobian s, whose derivative is
   // c_i − n_i / |e_i| where slope is 1 / s. With v_i = r_i n_i / |e_i| = e_i / l_i²,
   //   gradient_i = ⅔ (x n_i / |e_i| + b v_i − (x + p) c_i),
-  //   H = ⅔ δ_ij (x / |e_i|² (I − n_i n_iᵀ) + b / l_i² I) + [n v c] M [n v c]ᵀ + growth g gᵀ,   g_i = ⅔ (b' v_i − m c_i),
+  //   H = ⅔ δ_ij (x / |e_i|² (I − n_i n_iᵀ) + b / l_i² I) + [n v c] M [n v c]ᵀ + growth g gᵀ,   g_i = ⅔ (b' v_i − m
+  //   c_i),
   //   M_nn = −M_nc = 10/9 x + 4/9 z, M_cc = M_nn + 10/9 p, M_vc = −4/9 b, and 0 otherwise;
   // with x, z, p, b, growth ≥ 0 and p, b as of a mean ratio, H is positive semi-definite.
   // As n_i and v_i are parallel, the square of c is completed, and the rest is k.
-  Corner_quadratic(const Corner_frame<Real>& corner, const Real& slope, const Real* r, const Real& x, const Real& z, const Real& p,
-               const Real& b, const Real& growth, const Real& b1, const Real& m)
+  Corner_quadratic(const Corner_frame<Real>& corner, const Real& slope, const Real* r, const Real& x, const Real& z,
+                   const Real& p, const Real& b, const Real& growth, const Real& b1, const Real& m)
   {
     using Number = typename Lane<Real>::type;
     const Number two_thirds = Number(2. / 3), four_ninths = Number(4. / 9), ten_ninths = Number(10. / 9);
     const Real beta = two_thirds * b1, gamma = two_thirds * m;
-    const Real nn = ten_ninths * x + four_ninths * z, vv = growth * beta * beta, vc = -four_ninths * b - growth * beta * gamma;
+    const Real nn = ten_ninths * x + four_ninths * z, vv = growth * beta * beta,
+               vc = -four_ninths * b - growth * beta * gamma;
     const Real cc = nn + ten_ninths * p + growth * gamma * gamma;
     const Real inverse = Number(1) / larger(cc, Real{} + Number(1e-30)), root = square_root(cc), factor = root * slope;
     Real t[3];
@@ -131,7 +131,8 @@ struct Corner_quadratic
   }
 };
 
-// Derivatives in the vertices of a hexahedron, those of second order in the couplings of it. Blocks are stored row by row, symmetric ones as xx, xy, xz, yy, yz, zz.
+// Derivatives in the vertices of a hexahedron, those of second order in the couplings of it. Blocks are stored row by
+// row, symmetric ones as xx, xy, xz, yy, yz, zz.
 template <class Real>
 struct Hexahedron_derivatives
 {
@@ -141,7 +142,8 @@ struct Hexahedron_derivatives
 
   void set_zero() { *this = {}; }
 
-  void add(int corner, const Hexahedron_frame<Real>& frame, const Corner_frame<Real>& c, const Corner_quadratic<Real>& model)
+  void add(int corner, const Hexahedron_frame<Real>& frame, const Corner_frame<Real>& c,
+           const Corner_quadratic<Real>& model)
   {
     Real u[3][3], y[3][3], row[3][9], d[3]; // row: of the vertex of an edge, summed over the edges
     for (int i = 0; i < 3; ++i) {
@@ -195,6 +197,6 @@ struct Hexahedron_derivatives
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_DERIVATIVES_H

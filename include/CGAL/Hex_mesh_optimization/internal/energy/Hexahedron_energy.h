@@ -13,12 +13,10 @@
 
 #include <limits>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
-// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
-// hexahedra.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to
+// 38,000 hexahedra.
 struct Hexahedron_energy_parameters
 {
   // Keeps the root of the norm differentiable at a perfect hexahedron.
@@ -27,8 +25,9 @@ struct Hexahedron_energy_parameters
   double barrier_weight = .005;
   // ρ, the weight of the exterior floor. Stronger than an attachment at any distance, so that it wins.
   double floor_weight = 2000;
-  // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of edge
-  // ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it (measured).
+  // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of
+  // edge ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it
+  // (measured).
   double shape_weight = .11;
   double poor_shape_weight = .545;
 };
@@ -47,7 +46,8 @@ public:
   {
     using Number = typename Lane<Real>::type;
     const Number offset = Number(parameters_.norm_offset), barrier = Number(parameters_.barrier_weight),
-                 half_floor_weight = Number(parameters_.floor_weight / 2), half_shape = Number(parameters_.shape_weight / 2),
+                 half_floor_weight = Number(parameters_.floor_weight / 2),
+                 half_shape = Number(parameters_.shape_weight / 2),
                  third_poor_shape = Number(parameters_.poor_shape_weight / 3);
     const Edge_ratios<Real> ratios(frame, inverse_targets);
     Real sum{}, norm{}, lowest = Real{} + Number(1);
@@ -56,10 +56,12 @@ public:
       lowest = smaller(s, lowest);
       const Real safe = if_positive(s, larger(s, Real{} + least_scaled_jacobian<Number>()), Real{} + Number(1));
       const Real excess = larger(Real{}, ratios.mean_ratio(i, safe) - Number(1));
-      sum += excess * excess * (half_shape + third_poor_shape * excess) - barrier * logarithm(safe) + half_floor_weight * below * below;
+      sum += excess * excess * (half_shape + third_poor_shape * excess) - barrier * logarithm(safe) +
+             half_floor_weight * below * below;
       norm += power_8(Number(1) - s + offset);
     }
-    return if_positive(lowest, sum + Number(8) * root_8(norm * Number(.125)), Real{} + std::numeric_limits<Number>::infinity());
+    return if_positive(lowest, sum + Number(8) * root_8(norm * Number(.125)),
+                       Real{} + std::numeric_limits<Number>::infinity());
   }
 
   // All scaled Jacobians must be positive. Overwrites d.
@@ -81,16 +83,17 @@ public:
     for (int i = 0; i < 8; ++i) {
       const Corner_frame<Real> corner(frame, i);
       const Real s = larger(corner.scaled_jacobian, Real{} + least_scaled_jacobian<Number>());
-      const Real base = Number(1) - s + offset, below = larger(Real{}, floor[i] - s), sixth = outer * base * base * power_4(base);
+      const Real base = Number(1) - s + offset, below = larger(Real{}, floor[i] - s),
+                 sixth = outer * base * base * power_4(base);
       // s f'(s) and s² f''(s)
       const Real f1 = -s * (sixth * base + floor_weight * below) - barrier;
       const Real f2 = s * s * (Number(7) * sixth + if_positive(below, Real{} + floor_weight, Real{})) + barrier;
 
-      // With the lengths frozen at their values, s^-⅔ is the mean ratio q of the corner, whose gradient there is that of
-      // s^-⅔ exactly, and whose Hessian without the second derivative of the determinant is positive definite. Along each
-      // edge s is constant, and q is not: these directions are projected out, else corners below the floor would keep all
-      // their lengths (measured: 60 iterations of climbing instead of 38). f is chained on as F(q) = f(q^-3/2), F' ≥ 0; a negative F'' is
-      // dropped. x and z are F' q and F'' q².
+      // With the lengths frozen at their values, s^-⅔ is the mean ratio q of the corner, whose gradient there is that
+      // of s^-⅔ exactly, and whose Hessian without the second derivative of the determinant is positive definite. Along
+      // each edge s is constant, and q is not: these directions are projected out, else corners below the floor would
+      // keep all their lengths (measured: 60 iterations of climbing instead of 38). f is chained on as F(q) =
+      // f(q^-3/2), F' ≥ 0; a negative F'' is dropped. x and z are F' q and F'' q².
       const Real x = Number(-1.5) * f1, z = larger(Real{}, Number(2.25) * f2 + Number(3.75) * f1);
 
       const Real m = ratios.mean_ratio(i, s), excess = larger(Real{}, m - Number(1));
@@ -99,7 +102,8 @@ public:
         squares += r[k] = ratios.square[corner_edges[i][k] / 2];
       const Real factor = Number(3) * m / squares; // of ⅓ Σ |e_i|²/l_i²
       const Real slope = excess * (shape + poor_shape * excess), growth = shape + Number(2) * poor_shape * excess;
-      d.add(i, frame, corner, Corner_quadratic<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
+      d.add(i, frame, corner,
+            Corner_quadratic<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
     }
   }
 
@@ -112,15 +116,24 @@ private:
   }
 
   template <class Real>
-  static Real power_4(const Real& x) { return x * x * (x * x); }
+  static Real power_4(const Real& x)
+  {
+    return x * x * (x * x);
+  }
   template <class Real>
-  static Real power_8(const Real& x) { return power_4(x) * power_4(x); }
+  static Real power_8(const Real& x)
+  {
+    return power_4(x) * power_4(x);
+  }
   template <class Real>
-  static Real root_8(const Real& x) { return square_root(square_root(square_root(x))); }
+  static Real root_8(const Real& x)
+  {
+    return square_root(square_root(square_root(x)));
+  }
 
   Hexahedron_energy_parameters parameters_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_ENERGY_H

@@ -22,15 +22,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // The mean ratio with χ = ½ (D + √(ε² + D²)) in the place of D = det / l_0 l_1 l_2: itself at ε = 0, D > 0.
 struct Regularized_mean_ratio
 {
-  double r[3], squares; // |e_i|²/l_i² and their sum
-  double volume;        // |e_0| |e_1| |e_2| / l_0 l_1 l_2
+  double r[3], squares;  // |e_i|²/l_i² and their sum
+  double volume;         // |e_0| |e_1| |e_2| / l_0 l_1 l_2
   double chi, chi_slope; // χ and dχ/dD
 
   Regularized_mean_ratio(const Edge_ratios<double>& ratios, int corner, double scaled_jacobian, double squared_epsilon)
@@ -59,7 +57,8 @@ class Untangling_energy
 {
 public:
   // assembly: for the matrix that the derivatives are added to. All but the lengths must outlive the object.
-  Untangling_energy(const Hexahedral_complex& complex, const Hexahedron_assembly& assembly, const std::vector<double>& target_lengths)
+  Untangling_energy(const Hexahedral_complex& complex, const Hexahedron_assembly& assembly,
+                    const std::vector<double>& target_lengths)
     : complex_(complex)
     , assembly_(assembly)
     , lengths_(target_lengths)
@@ -88,7 +87,8 @@ public:
     double sum = 0;
     for_hexahedra(points, [&](std::size_t, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
       for (int c = 0; c < 8; ++c)
-        sum += Regularized_mean_ratio(ratios, c, Corner_frame<double>(frame, c).scaled_jacobian, squared_epsilon_).value();
+        sum +=
+          Regularized_mean_ratio(ratios, c, Corner_frame<double>(frame, c).scaled_jacobian, squared_epsilon_).value();
     });
     return sum;
   }
@@ -100,7 +100,8 @@ public:
       d.set_zero();
       for (int c = 0; c < 8; ++c) {
         const Corner_frame<double> corner(frame, c);
-        d.add(c, frame, corner, Regularized_mean_ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_).model(corner));
+        d.add(c, frame, corner,
+              Regularized_mean_ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_).model(corner));
       }
       assembly_.add(h, d, 0, gradient, matrix);
     });
@@ -128,6 +129,6 @@ private:
   double squared_epsilon_ = 0;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_UNTANGLING_ENERGY_H

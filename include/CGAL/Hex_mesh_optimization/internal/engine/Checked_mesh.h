@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Checked_mesh
 {
@@ -39,7 +37,7 @@ public:
     return quality_statistics(order.as_given(positions), given_hexahedra_);
   }
 
-  const bool is_reversed; // they were numbered inside out: bottom and top are exchanged
+  const bool is_reversed;   // they were numbered inside out: bottom and top are exchanged
   const Memory_order order; // in which all that follows is
   const Positions points;
   const Hexahedral_complex complex;
@@ -87,11 +85,13 @@ private:
     for (std::size_t h = 0; h < hexahedra.size(); ++h)
       for (int i = 0; i < 8; ++i) {
         if (hexahedra[h][i] < 0 || std::size_t(hexahedra[h][i]) >= points.size())
-          throw Input_error(Element::HEXAHEDRON, h, "hexahedron " + std::to_string(h) + " refers to a vertex that does not exist");
+          throw Input_error(Element::HEXAHEDRON, h,
+                            "hexahedron " + std::to_string(h) + " refers to a vertex that does not exist");
         for (int j = 0; j < i; ++j)
           if (hexahedra[h][i] == hexahedra[h][j])
-            throw Input_error(Element::HEXAHEDRON, h, "hexahedron " + std::to_string(h) + " has vertex " +
-                                                        std::to_string(hexahedra[h][i]) + " at two corners");
+            throw Input_error(Element::HEXAHEDRON, h,
+                              "hexahedron " + std::to_string(h) + " has vertex " + std::to_string(hexahedra[h][i]) +
+                                " at two corners");
       }
   }
 
@@ -116,7 +116,8 @@ private:
       Vector_3 p[4];
       for (int i = 0; i < 4; ++i)
         p[i] = (points[f.vertices[i]] - origin) / extent;
-      volume += p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3])) + p[1].dot(p[2].cross(p[3])) + p[0].dot(p[1].cross(p[3]));
+      volume += p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3])) + p[1].dot(p[2].cross(p[3])) +
+                p[0].dot(p[1].cross(p[3]));
     }
     return volume;
   }
@@ -124,6 +125,6 @@ private:
   const std::vector<Hexahedron> given_hexahedra_; // in the caller's order and numbering, but for the orientation
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_CHECKED_MESH_H

@@ -34,17 +34,16 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Hex_mesh_optimizer
 {
 public:
   // Everything that can be wrong with the input is refused here, by Input_error.
   // reference: null when the boundary of the mesh is its own reference.
-  Hex_mesh_optimizer(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
-                     const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
+  Hex_mesh_optimizer(const Positions& points, const std::vector<Hexahedron>& hexahedra,
+                     const Reference_input* reference, const std::vector<char>& is_frozen,
+                     const Optimization_parameters& parameters)
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
     , mesh_(points, hexahedra)
@@ -52,8 +51,8 @@ public:
     , report_(mesh_, model_, parameters_)
   {}
 
-  // Optimizes, one stage after the other: here is all that decides whether one starts, when it has done enough, and whether
-  // it is repeated. positions() are then the best found.
+  // Optimizes, one stage after the other: here is all that decides whether one starts, when it has done enough, and
+  // whether it is repeated. positions() are then the best found.
   Status run()
   {
     const bool is_full = parameters_.method == Method::FULL;
@@ -107,7 +106,8 @@ public:
     Status& status = report_.status;
     status.return_code = control_.is_stopped()
                            ? control_.return_code()
-                           : report_.return_code(end == Stage_end::ITERATION_LIMIT ? Return_code::ITERATION_LIMIT : Return_code::CONVERGED);
+                           : report_.return_code(end == Stage_end::ITERATION_LIMIT ? Return_code::ITERATION_LIMIT
+                                                                                   : Return_code::CONVERGED);
     status.iterations = control_.iterations;
     status.total_seconds = control_.seconds();
     return status;
@@ -121,7 +121,8 @@ private:
   class Timer
   {
   public:
-    Timer(const Run_control& control, double& seconds) : control_(control), seconds_(seconds), start_(control.seconds()) {}
+    Timer(const Run_control& control, double& seconds) : control_(control), seconds_(seconds), start_(control.seconds())
+    {}
     ~Timer() { seconds_ += control_.seconds() - start_; }
 
   private:
@@ -142,15 +143,16 @@ private:
   Stage_end rectify(Positions& points, double target, std::size_t tolerated)
   {
     const Timer timer(control_, report_.status.rectification_seconds);
-    return Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment, vertices_at_rest(points),
-                                   model_.lengths, parameters_.rectification)
+    return Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment,
+                                   vertices_at_rest(points), model_.lengths, parameters_.rectification)
       .run(points, control_, target, tolerated);
   }
 
   Stage_end untangle(Positions& points)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
-    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, sliding(points), parameters_.untangling)
+    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, sliding(points),
+                      parameters_.untangling)
       .run(points, control_);
   }
 
@@ -159,11 +161,15 @@ private:
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
     return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths,
-                                model_.lengths_are_estimated ? &model_.relations : nullptr, held, parameters_.maximization)
+                                model_.lengths_are_estimated ? &model_.relations : nullptr, held,
+                                parameters_.maximization)
       .run(points, control_, parameters_.target_quality);
   }
 
-  Sliding sliding(const Positions& points) const { return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, points); }
+  Sliding sliding(const Positions& points) const
+  {
+    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, points);
+  }
 
   std::vector<char> vertices_at_rest(const Positions& points) const
   {
@@ -186,8 +192,9 @@ private:
   Boundary_samples& boundary_samples()
   {
     if (!samples_)
-      samples_.emplace(mesh_.complex, boundary_surface_faces(mesh_.complex), *model_.surface, model_.attachment, model_.lengths,
-                       model_.reference_is_given, parameters_.maximum_deviation / model_.unit, parameters_.boundary.samples);
+      samples_.emplace(mesh_.complex, boundary_surface_faces(mesh_.complex), *model_.surface, model_.attachment,
+                       model_.lengths, model_.reference_is_given, parameters_.maximum_deviation / model_.unit,
+                       parameters_.boundary.samples);
     return *samples_;
   }
 
@@ -204,6 +211,6 @@ private:
   std::optional<Boundary_samples> samples_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_HEX_MESH_OPTIMIZER_H

@@ -37,15 +37,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Model
 {
 public:
-  // Throws Input_error. reference: null when the boundary of the mesh is its own reference. is_frozen: of the vertices in the
-  // order of the caller. The mesh must outlive the object.
+  // Throws Input_error. reference: null when the boundary of the mesh is its own reference. is_frozen: of the vertices
+  // in the order of the caller. The mesh must outlive the object.
   Model(const Checked_mesh& mesh, const Reference_input* reference, const std::vector<char>& is_frozen,
         const Optimization_parameters& parameters)
     : mesh(mesh)
@@ -57,7 +55,8 @@ public:
     , attachment(attached(is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
     , relations(mesh.complex)
-    , lengths_are_estimated(!parameters.target_length && parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED &&
+    , lengths_are_estimated(!parameters.target_length &&
+                            parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED &&
                             !can_be_trusted(parameters.boundary.samples.tolerance))
     , lengths(target_lengths(parameters))
   {}
@@ -83,7 +82,8 @@ public:
 
   const Checked_mesh& mesh;
   const bool reference_is_given; // it is not the boundary of the mesh itself
-  const double unit; // the boundary terms have units of length², so that all weights presuppose one: the mean boundary edge
+  const double
+    unit; // the boundary terms have units of length², so that all weights presuppose one: the mean boundary edge
   const Vector_3 center;
   const Positions points; // of the mesh, in this unit, as is all that follows
   const std::unique_ptr<const Reference_surface> surface;
@@ -103,7 +103,8 @@ private:
     for (std::size_t v = 0; v < reference->points.size(); ++v)
       if (!reference->points[v].allFinite())
         throw Input_error(Element::REFERENCE_VERTEX, v,
-                          "vertex " + std::to_string(v) + " of the reference surface has a coordinate that is not finite");
+                          "vertex " + std::to_string(v) +
+                            " of the reference surface has a coordinate that is not finite");
     if (reference->triangles.empty())
       throw Input_error(Element::MESH, 0, "the reference surface is empty");
     return true;
@@ -130,12 +131,15 @@ private:
     return sum / double(count) * unit;
   }
 
-  std::unique_ptr<const Reference_surface> given_reference(const Reference_input& reference, const Feature_parameters& features) const
+  std::unique_ptr<const Reference_surface> given_reference(const Reference_input& reference,
+                                                           const Feature_parameters& features) const
   {
     Positions normalized = in_units(reference.points);
-    require_area(normalized, reference.triangles, "the reference surface has no face with an area that is not lost against the mesh");
+    require_area(normalized, reference.triangles,
+                 "the reference surface has no face with an area that is not lost against the mesh");
     require_same_place(reference);
-    Edge_list sharp = reference.sharp_is_given ? reference.sharp : sharp_edges(normalized, reference.triangles, features.angle_bound);
+    Edge_list sharp = reference.sharp_is_given ? reference.sharp
+                                               : sharp_edges(normalized, reference.triangles, features.angle_bound);
     return std::make_unique<const Reference_surface>(std::move(normalized), reference.triangles, std::move(sharp),
                                                      reference.sharp_is_given, features);
   }
@@ -170,7 +174,8 @@ private:
 
   static void require_area(const Positions& points, const std::vector<Triangle_indices>& triangles, const char* message)
   {
-    if (std::none_of(triangles.begin(), triangles.end(), [&](const Triangle_indices& t) { return Triangle_surface::has_area(points, t); }))
+    if (std::none_of(triangles.begin(), triangles.end(),
+                     [&](const Triangle_indices& t) { return Triangle_surface::has_area(points, t); }))
       throw Input_error(Input_error::Element::MESH, 0, message);
   }
 
@@ -210,8 +215,8 @@ private:
       message << std::setprecision(4) << e / d << " times as large as the mesh";
     else
       message << "far away from the mesh";
-    message << ": it spans " << in_words(of_reference) << ", the mesh " << in_words(of_mesh) << ": are both in the same "
-            << (has_other_size ? "unit of length?" : "place?");
+    message << ": it spans " << in_words(of_reference) << ", the mesh " << in_words(of_mesh)
+            << ": are both in the same " << (has_other_size ? "unit of length?" : "place?");
     throw Input_error(Input_error::Element::MESH, 0, message.str());
   }
 
@@ -221,7 +226,8 @@ private:
       // asked for in the order that edges have with the caller's vertices
       std::vector<std::pair<std::array<int, 2>, std::size_t>> given_edges;
       for (std::size_t e = 0; e < mesh.complex.edges.size(); ++e) {
-        const auto [low, high] = std::minmax({mesh.order.given_vertex(mesh.complex.edges[e][0]), mesh.order.given_vertex(mesh.complex.edges[e][1])});
+        const auto [low, high] = std::minmax(
+          {mesh.order.given_vertex(mesh.complex.edges[e][0]), mesh.order.given_vertex(mesh.complex.edges[e][1])});
         given_edges.push_back({{low, high}, e});
       }
       std::sort(given_edges.begin(), given_edges.end());
@@ -243,10 +249,11 @@ private:
         l = (std::max)(l, parameters.rectification.least_length);
       return lengths;
     }
-    return lengths_are_estimated ? estimate_edge_lengths(mesh.complex, relations, points) : layered_edge_lengths(mesh.complex, relations, points);
+    return lengths_are_estimated ? estimate_edge_lengths(mesh.complex, relations, points)
+                                 : layered_edge_lengths(mesh.complex, relations, points);
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H

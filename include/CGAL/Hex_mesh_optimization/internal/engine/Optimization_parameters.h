@@ -19,8 +19,7 @@
 #include <functional>
 #include <limits>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 namespace internal {
 
@@ -31,7 +30,7 @@ struct Optimization_parameters
   bool fixed_boundary = false;
   Boundary_placement boundary_placement = Boundary_placement::WITHIN_TOLERANCE;
   double target_quality = std::numeric_limits<double>::infinity();
-  double maximum_deviation = std::numeric_limits<double>::infinity(); // length
+  double maximum_deviation = std::numeric_limits<double>::infinity();    // length
   double maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
   Target_edge_lengths target_edge_lengths = Target_edge_lengths::ESTIMATED;
   std::function<double(std::size_t, std::size_t)> target_length; // of the edge between two vertices; empty: see above
@@ -42,13 +41,13 @@ struct Optimization_parameters
   Untangling_parameters untangling;
   Maximization_parameters maximization;
   Certification_parameters certification; // of the bound of the deviation
-  // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails: in a
-  // large mesh it takes many iterations for the last ones.
+  // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
+  // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
   double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
 };
 
 } // namespace internal
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_OPTIMIZATION_PARAMETERS_H

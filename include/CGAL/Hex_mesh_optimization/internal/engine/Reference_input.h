@@ -11,9 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // `sharp` are edges between its points.
 struct Reference_input
@@ -24,6 +22,6 @@ struct Reference_input
   bool sharp_is_given = false; // by the user: no detection, nothing dropped
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REFERENCE_INPUT_H

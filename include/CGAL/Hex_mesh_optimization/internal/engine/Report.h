@@ -33,9 +33,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Report
 {
@@ -52,8 +50,8 @@ public:
     status.volume_before = volume_of(mesh.points);
   }
 
-  // Takes the result, in the coordinates of the input: the final statistics are those of the coordinates handed out, so that
-  // no rounding undoes what they say. What is worse than the input is not taken, but the input. excess_before and
+  // Takes the result, in the coordinates of the input: the final statistics are those of the coordinates handed out, so
+  // that no rounding undoes what they say. What is worse than the input is not taken, but the input. excess_before and
   // excess: of the boundaries of both over what is tolerated without a bound.
   void certify(Positions result, double excess_before, double excess)
   {
@@ -77,7 +75,8 @@ public:
       status.released_vertices.push_back(mesh_.order.given_vertex(v));
     std::sort(status.released_vertices.begin(), status.released_vertices.end());
     for (Connectivity_limit limit : connectivity_limits(mesh_.complex, model_.attachment)) {
-      limit.scaled_jacobian = scaled_jacobian(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[limit.hexahedron]));
+      limit.scaled_jacobian = scaled_jacobian(
+        hexahedron_coordinates(positions_, mesh_.complex.hexahedra[limit.hexahedron]));
       if (limit.scaled_jacobian <= limit.largest_scaled_jacobian) {
         limit.hexahedron = mesh_.order.given_hexahedron(limit.hexahedron);
         status.connectivity_limits.push_back(limit);
@@ -108,20 +107,23 @@ public:
 private:
   Deviation measured_deviation(const Positions& positions) const
   {
-    Deviation result = deviation(mesh_.complex, model_.in_units(positions), *model_.surface, parameters_.measuring_spacing);
+    Deviation result = deviation(mesh_.complex, model_.in_units(positions), *model_.surface,
+                                 parameters_.measuring_spacing);
     result.average *= model_.unit;
     result.maximum *= model_.unit;
     result.bilinear = model_.unit * bilinear_excess(mesh_.complex, model_.in_units(positions));
     if (std::isfinite(parameters_.maximum_deviation))
       result.certified = model_.unit * certified_deviation(mesh_.complex, model_.in_units(positions), *model_.surface,
-                                                           parameters_.maximum_deviation / model_.unit, parameters_.certification)
+                                                           parameters_.maximum_deviation / model_.unit,
+                                                           parameters_.certification)
                                          .upper_bound;
     return result;
   }
 
   std::vector<int> vertices_away(const Positions& positions) const
   {
-    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, model_.in_units(positions)).vertices_away();
+    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, model_.in_units(positions))
+      .vertices_away();
   }
 
   // Whether a corner is inverted whose vertices are all fixed.
@@ -131,7 +133,8 @@ private:
     for (int c = 0; c < 8; ++c) {
       const int(&next)[3] = corner_neighbors[c];
       const auto edge = [&](int k) { return Vector_3(positions_[h[next[k]]] - positions_[h[c]]); };
-      if (is_fixed(c) && is_fixed(next[0]) && is_fixed(next[1]) && is_fixed(next[2]) && edge(0).dot(edge(1).cross(edge(2))) <= 0)
+      if (is_fixed(c) && is_fixed(next[0]) && is_fixed(next[1]) && is_fixed(next[2]) &&
+          edge(0).dot(edge(1).cross(edge(2))) <= 0)
         return true;
     }
     return false;
@@ -162,8 +165,10 @@ private:
       excess_before = excess_over_bound(measured_deviation(mesh_.points));
       excess = excess_over_bound(status.deviation);
     }
-    const Standing before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before, vertices_away(mesh_.points).size()};
-    const Standing now{status.after.number_of_inverted, status.after.number_of_invalid, excess, vertices_away(positions_).size()};
+    const Standing before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before,
+                          vertices_away(mesh_.points).size()};
+    const Standing now{status.after.number_of_inverted, status.after.number_of_invalid, excess,
+                       vertices_away(positions_).size()};
     return before < now || (before.is_good() && status.after.minimum < status.before.minimum);
   }
 
@@ -180,6 +185,6 @@ private:
   Positions positions_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REPORT_H

@@ -20,12 +20,16 @@ namespace Hex_mesh_optimization {
 namespace internal {
 
 template <class T, class = void>
-struct Is_linear_cell_complex : std::false_type {};
+struct Is_linear_cell_complex : std::false_type
+{};
 template <class T>
-struct Is_linear_cell_complex<T, std::void_t<typename T::Dart_range, typename T::Vertex_attribute_range>> : std::true_type {};
+struct Is_linear_cell_complex<T, std::void_t<typename T::Dart_range, typename T::Vertex_attribute_range>>
+  : std::true_type
+{};
 
 template <class LCC>
-constexpr bool is_generalized_map_v = std::is_same<typename LCC::Combinatorial_data_structure, Generalized_map_tag>::value;
+constexpr bool is_generalized_map_v =
+  std::is_same<typename LCC::Combinatorial_data_structure, Generalized_map_tag>::value;
 
 // CGAL 5.6 renamed handles to descriptors.
 template <class LCC>
@@ -35,12 +39,18 @@ struct Linear_cell_complex_types
   using Dart = typename LCC::Dart_const_descriptor;
   using Vertex = typename LCC::Vertex_attribute_descriptor;
   template <class Vertex>
-  static bool is_null(const Vertex& vertex) { return vertex == LCC::null_descriptor; }
+  static bool is_null(const Vertex& vertex)
+  {
+    return vertex == LCC::null_descriptor;
+  }
 #else
   using Dart = typename LCC::Dart_const_handle;
   using Vertex = typename LCC::Vertex_attribute_handle;
   template <class Vertex>
-  static bool is_null(const Vertex& vertex) { return vertex == LCC::null_handle; }
+  static bool is_null(const Vertex& vertex)
+  {
+    return vertex == LCC::null_handle;
+  }
 #endif
 };
 
@@ -50,18 +60,22 @@ struct Linear_cell_complex_types
 template <class LCC, class Dart>
 Dart dart_of_face(LCC& lcc, Dart dart, std::size_t face)
 {
-  switch(face)
-  {
-  case 0: return lcc.opposite2(lcc.previous(dart));
-  case 1: return lcc.next(lcc.opposite2(lcc.next(dart)));
-  case 2: return dart;
+  switch (face) {
+  case 0:
+    return lcc.opposite2(lcc.previous(dart));
+  case 1:
+    return lcc.next(lcc.opposite2(lcc.next(dart)));
+  case 2:
+    return dart;
   default:
-    for(; face > 2; --face)
+    for (; face > 2; --face)
       dart = lcc.opposite2(lcc.next(lcc.next(dart)));
     return dart;
   }
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+}
+}
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_LINEAR_CELL_COMPLEX_TRAITS_H

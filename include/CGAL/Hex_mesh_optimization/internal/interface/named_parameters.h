@@ -22,26 +22,31 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 template <class NamedParameters, class Tag>
-constexpr bool is_given =
-  !std::is_same_v<typename internal_np::Lookup_named_param_def<Tag, NamedParameters, internal_np::Param_not_found>::type,
-                  internal_np::Param_not_found>;
+constexpr bool is_given = !std::is_same_v<
+  typename internal_np::Lookup_named_param_def<Tag, NamedParameters, internal_np::Param_not_found>::type,
+  internal_np::Param_not_found>;
 
 inline void require(bool condition, const char* name)
 {
   if (!condition)
-    throw Input_error(Input_error::Element::PARAMETER, 0, std::string("the parameter ") + name + " has no usable value");
+    throw Input_error(Input_error::Element::PARAMETER, 0,
+                      std::string("the parameter ") + name + " has no usable value");
 }
 
 // What std::ref() wraps is the caller's own object.
 template <class T>
-T& unwrapped(T& t) { return t; }
+T& unwrapped(T& t)
+{
+  return t;
+}
 template <class T>
-T& unwrapped(std::reference_wrapper<T>& t) { return t.get(); }
+T& unwrapped(std::reference_wrapper<T>& t)
+{
+  return t.get();
+}
 
 // The vertices' keys, by which the maps of the caller are asked, must outlive the result.
 template <class NamedParameters, class Key>
@@ -56,18 +61,22 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   p.boundary_placement = choose_parameter(get_parameter(np, internal_np::hex_boundary_placement), p.boundary_placement);
   p.target_quality = choose_parameter(get_parameter(np, internal_np::hex_target_quality), p.target_quality);
   p.maximum_deviation = choose_parameter(get_parameter(np, internal_np::hex_maximum_deviation), p.maximum_deviation);
-  p.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time), p.maximum_running_time);
-  p.target_edge_lengths = choose_parameter(get_parameter(np, internal_np::hex_target_edge_lengths), p.target_edge_lengths);
-  p.features.angle_bound = choose_parameter(get_parameter(np, internal_np::features_angle_bound), p.features.angle_bound);
+  p.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                            p.maximum_running_time);
+  p.target_edge_lengths = choose_parameter(get_parameter(np, internal_np::hex_target_edge_lengths),
+                                           p.target_edge_lengths);
+  p.features.angle_bound = choose_parameter(get_parameter(np, internal_np::features_angle_bound),
+                                            p.features.angle_bound);
   r.iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), r.iterations);
   r.restarts = choose_parameter(get_parameter(np, internal_np::hex_number_of_restarts), r.restarts);
   r.length_update = choose_parameter(get_parameter(np, internal_np::hex_length_update), r.length_update);
   r.surface_weight = choose_parameter(get_parameter(np, internal_np::hex_surface_weight), r.surface_weight);
   r.feature_weight = choose_parameter(get_parameter(np, internal_np::hex_feature_weight), r.feature_weight);
-  r.regularization_weight = choose_parameter(get_parameter(np, internal_np::hex_regularization_weight), r.regularization_weight);
+  r.regularization_weight = choose_parameter(get_parameter(np, internal_np::hex_regularization_weight),
+                                             r.regularization_weight);
   r.cone_angle_bound = choose_parameter(get_parameter(np, internal_np::hex_cone_angle_bound), r.cone_angle_bound);
-  r.maximize_minimum_quality =
-    choose_parameter(get_parameter(np, internal_np::hex_maximize_minimum_quality), r.maximize_minimum_quality);
+  r.maximize_minimum_quality = choose_parameter(get_parameter(np, internal_np::hex_maximize_minimum_quality),
+                                                r.maximize_minimum_quality);
   require(p.target_quality == p.target_quality, "target_quality");
   require(p.maximum_deviation > 0, "maximum_deviation");
   require(p.maximum_running_time >= 0, "maximum_running_time");
@@ -87,12 +96,13 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
   if (verbose)
     p.on_iteration = [](const Iteration& i) {
-      std::cerr << name(i.stage) << ' ' << i.iteration << ": energy " << i.energy
-                << ", " << i.number_of_inverted << " inverted, minimum " << i.minimum << ", average " << i.average << '\n';
+      std::cerr << name(i.stage) << ' ' << i.iteration << ": energy " << i.energy << ", " << i.number_of_inverted
+                << " inverted, minimum " << i.minimum << ", average " << i.average << '\n';
       return true;
     };
   if constexpr (is_given<NamedParameters, internal_np::visitor_t>) {
-    p.on_iteration = [visitor = get_parameter(np, internal_np::visitor), print = p.on_iteration](const Iteration& i) mutable {
+    p.on_iteration = [visitor = get_parameter(np, internal_np::visitor),
+                      print = p.on_iteration](const Iteration& i) mutable {
       if (print)
         print(i);
       return unwrapped(visitor).on_iteration(i);
@@ -113,6 +123,6 @@ std::vector<char> frozen_vertices(const NamedParameters& np, const std::vector<K
   return is_frozen;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_NAMED_PARAMETERS_H

@@ -22,9 +22,7 @@
 #define CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE inline
 #endif
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Moves the points, or throws Input_error and leaves them.
 // reference: null when the boundary of the mesh is its own reference.
@@ -32,7 +30,7 @@ CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
 Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
                   const std::vector<char>& is_frozen, const Optimization_parameters& parameters);
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine_impl.h>

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
 Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
@@ -30,6 +28,6 @@ Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, c
   return status;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_IMPL_H

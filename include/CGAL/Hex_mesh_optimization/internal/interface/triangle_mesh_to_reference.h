@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <unordered_map>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 template <class TriangleMesh, class NamedParameters>
 Reference_input triangle_mesh_to_reference(const TriangleMesh& tmesh, const NamedParameters& np)
@@ -30,7 +28,8 @@ Reference_input triangle_mesh_to_reference(const TriangleMesh& tmesh, const Name
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, tmesh));
   Reference_input result;
   std::unordered_map<Vertex, int> index;
   for (const Vertex v : vertices(tmesh)) {
@@ -48,8 +47,8 @@ Reference_input triangle_mesh_to_reference(const TriangleMesh& tmesh, const Name
     }
     if (k != 3)
       throw Input_error(Input_error::Element::REFERENCE_FACE, result.triangles.size(),
-                        "face " + std::to_string(result.triangles.size()) + " of the reference surface has " + std::to_string(k) +
-                          " vertices: the surface is not triangulated");
+                        "face " + std::to_string(result.triangles.size()) + " of the reference surface has " +
+                          std::to_string(k) + " vertices: the surface is not triangulated");
     result.triangles.push_back(triangle);
   }
   using Constraint = typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters,
@@ -64,6 +63,6 @@ Reference_input triangle_mesh_to_reference(const TriangleMesh& tmesh, const Name
   return result;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_TRIANGLE_MESH_TO_REFERENCE_H

@@ -14,29 +14,27 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
-// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
-// hexahedra.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to
+// 38,000 hexahedra.
 struct Maximization_parameters
 {
-  // Once the mesh has relaxed, both weights of the shape are multiplied by balance / (offset + 1 − average scaled Jacobian): the nearer the
-  // angles are to perfect, the more there is to gain from shape, and the less it costs.
+  // Once the mesh has relaxed, both weights of the shape are multiplied by balance / (offset + 1 − average scaled
+  // Jacobian): the nearer the angles are to perfect, the more there is to gain from shape, and the less it costs.
   double shape_balance = .0375;
   double shape_balance_offset = .005;
 
-  // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of the
-  // first phase. Those of the boundary stay: adapted too, they let single rows of its quads collapse (measured: the
+  // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of
+  // the first phase. Those of the boundary stay: adapted too, they let single rows of its quads collapse (measured: the
   // ratios of edges of a hundredth of the hexahedra grow from 8.9 to 11.4).
   double length_adaptation = .93;
 
   // --- First phase: the worst corners climb, the boundary is loosely attached ---
   // Factor of all attachment weights. A tighter start freezes the minimum (measured: .07 instead of .70).
   double start_tightness = .02;
-  // The phase ends when the minimum has not gained so much in so many iterations, when it is as high as is worth holding
-  // and the average has not changed so much in so many, or after so many.
+  // The phase ends when the minimum has not gained so much in so many iterations, when it is as high as is worth
+  // holding and the average has not changed so much in so many, or after so many.
   double climbing_gain = .005;
   std::size_t climbing_patience = 6;
   double climbing_change_of_average = 6e-4;
@@ -49,8 +47,9 @@ struct Maximization_parameters
   double tightening = 1.5;
   double ready = .88;
   std::size_t waiting_patience = 5;
-  // It ends when a fully tight state was met whose worst corner was close to what is held and the minimum has not gained or
-  // the average not changed so much in so many iterations, or after so many; without such a state it goes on longer.
+  // It ends when a fully tight state was met whose worst corner was close to what is held and the minimum has not
+  // gained or the average not changed so much in so many iterations, or after so many; without such a state it goes on
+  // longer.
   double held_closely = .97;
   double least_gain_of_minimum = 2e-3;
   double least_change_of_average = 1.5e-4;
@@ -61,8 +60,8 @@ struct Maximization_parameters
   double accepted_loss = .01;
 
   // --- Bounded distances ---
-  // The minimum that is held yields by the factor in each iteration in which, fully tight, the excess over the bound does not
-  // fall to this part, or vertices are away from where they are to stand, and recovers in each without that.
+  // The minimum that is held yields by the factor in each iteration in which, fully tight, the excess over the bound
+  // does not fall to this part, or vertices are away from where they are to stand, and recovers in each without that.
   double excess_part = .9;
   double yielding = .98;
   double recovery = 1.03;
@@ -84,6 +83,6 @@ struct Maximization_parameters
   Newton_parameters newton;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_MAXIMIZATION_PARAMETERS_H

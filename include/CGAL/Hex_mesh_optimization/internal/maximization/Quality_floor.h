@@ -17,16 +17,14 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
-// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to 38,000
-// hexahedra.
+// Numbers without another source were chosen together by a coordinate search on organic and CAD models of 2,500 to
+// 38,000 hexahedra.
 struct Floor_parameters
 {
-  // While it rises it stands this far above the worst corner, at most, no higher than the limit, and where this part of the
-  // hexahedra is worse, they are left in peace.
+  // While it rises it stands this far above the worst corner, at most, no higher than the limit, and where this part of
+  // the hexahedra is worse, they are left in peace.
   double step = .2;
   double limit = .95;
   double fraction = .04;
@@ -57,13 +55,14 @@ public:
     , floors_(hexahedra.number_of_hexahedra())
   {}
 
-  // One floor for all corners, a step above the worst one and never falling. Where the connectivity makes many hexahedra
-  // poor it stays where a given part of them lies: to lift all of those would cost the average.
+  // One floor for all corners, a step above the worst one and never falling. Where the connectivity makes many
+  // hexahedra poor it stays where a given part of them lies: to lift all of those would cost the average.
   void rise(const Mesh_quality& quality)
   {
     highest_ = (std::max)(highest_, quality.minimum);
     floor_ = (std::max)(floor_, (std::min)({parameters_.limit, quantile(quality), quality.minimum + parameters_.step}));
-    hexahedra_.for_each([this](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor_)); });
+    hexahedra_.for_each(
+      [this](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor_)); });
   }
 
   // A floor at what has to be kept, from where the rising one stood: its forces fade, where they are not needed, rather
@@ -118,6 +117,6 @@ private:
   Batched_values<8> lifts_, floors_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H

@@ -37,15 +37,13 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Quality_maximization
 {
 public:
-  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. With relations they are only
-  // estimates and may be adapted; without (null) they are kept. All but the numbers must outlive the object.
+  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. With relations they are
+  // only estimates and may be adapted; without (null) they are kept. All but the numbers must outlive the object.
   // distance: of the samples.
   Quality_maximization(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
                        const std::vector<double>& lengths, const Edge_relations* relations, Sliding& sliding,
@@ -85,8 +83,8 @@ public:
       if (!tightens && (is_done || i == parameters_.climbing_iterations)) {
         tightens = true;
         used_up = !is_done;
-        weigh_shape((samples_.is_bounded() ? parameters_.bounded_shape : 1) *
-                    parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average));
+        weigh_shape((samples_.is_bounded() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
+                    (parameters_.shape_balance_offset + 1 - quality.average));
         sliding_.call_all();
         if (relations_)
           adapt_lengths(points);
@@ -111,12 +109,15 @@ public:
       const Batched_values<1> least = least_scaled_jacobians(quality);
       const auto retract = [this](Positions& p) { sliding_.retract(p); };
       const auto restrict_step = [&](Positions& step) {
-        hold_corners(complex_, batches_, points, least, parameters_.holding_rounds, retract,
-                     [&](const Positions& reached, std::vector<char>& is_ruined) { samples_.find_leaving(points, reached, complex_, is_ruined); },
-                     step);
+        hold_corners(
+          complex_, batches_, points, least, parameters_.holding_rounds, retract,
+          [&](const Positions& reached, std::vector<char>& is_ruined) {
+            samples_.find_leaving(points, reached, complex_, is_ruined);
+          },
+          step);
       };
-      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), sliding_.freedoms(points), restrict_step, retract,
-                                        parameters_.newton, matrix_, points);
+      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), sliding_.freedoms(points),
+                                        restrict_step, retract, parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       samples_.update(points, boundary_.tightness);
       excess = samples_.excess(points);
@@ -171,8 +172,9 @@ private:
   void approach(const Mesh_quality& quality, Positions& points)
   {
     Positions step = sliding_.ways(points);
-    hold_corners(complex_, batches_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, [](Positions&) {},
-                 [](const Positions&, std::vector<char>&) {}, step);
+    hold_corners(
+      complex_, batches_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, [](Positions&) {},
+      [](const Positions&, std::vector<char>&) {}, step);
     for_each(points.size(), [&](std::size_t v) { points[v] += step[v]; });
     sliding_.arrive(points);
   }
@@ -187,8 +189,8 @@ private:
     return least;
   }
 
-  // Moves the target lengths of the interior towards those that the loosely attached mesh has found to suit it: smoothly, so
-  // that they follow the shape of the model and not of single poor hexahedra.
+  // Moves the target lengths of the interior towards those that the loosely attached mesh has found to suit it:
+  // smoothly, so that they follow the shape of the model and not of single poor hexahedra.
   void adapt_lengths(const Positions& points)
   {
     const std::vector<double> reached = smooth_edge_lengths(*relations_, edge_lengths(complex_, points));
@@ -218,9 +220,9 @@ private:
   Hexahedra_energy hexahedra_;
   Boundary_energy boundary_;
   Sliding& sliding_;
-  std::vector<double> lengths_;        // targets of the edges
+  std::vector<double> lengths_; // targets of the edges
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_MAXIMIZATION_H

@@ -18,36 +18,38 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
-// Halves the step at the vertices of hexahedra that have a scaled Jacobian below what is given for them after it, or that
-// find_more(reached, is_ruined) finds as well, again and again, up to `rounds` times. retract(points) is what steps end with.
-// O(rounds · hexahedra).
+// Halves the step at the vertices of hexahedra that have a scaled Jacobian below what is given for them after it, or
+// that find_more(reached, is_ruined) finds as well, again and again, up to `rounds` times. retract(points) is what
+// steps end with. O(rounds · hexahedra).
 template <class Retract, class Find_more>
 void hold_corners(const Hexahedral_complex& complex, const Hexahedron_batches& batches, const Positions& points,
-                  const Batched_values<1>& least, int rounds, const Retract& retract, const Find_more& find_more, Positions& step)
+                  const Batched_values<1>& least, int rounds, const Retract& retract, const Find_more& find_more,
+                  Positions& step)
 {
   Positions reached(points.size()), at(points.size());
   for_each(points.size(), [&](std::size_t v) { reached[v] = points[v] + step[v]; });
-  const std::vector<double> share = hold_back(complex, points, step, rounds, false, [&](const Positions& ends, std::vector<char>& is_ruined) {
-    at = ends;
-    retract(at);
-    batches.for_each([&](std::size_t i) {
-      const Hexahedron_frame<Lanes> frame = batches.frame(i, at);
-      Lanes lowest = Corner_frame<Lanes>(frame, 0).scaled_jacobian;
-      for (int c = 1; c < 8; ++c)
-        lowest = smaller(Corner_frame<Lanes>(frame, c).scaled_jacobian, lowest);
-      for (int l = 0; l < batches.number_of_hexahedra(i); ++l)
-        is_ruined[batches.first_hexahedron(i) + l] = !(lane(lowest, l) >= lane(*least.batch(i), l));
-    });
-    find_more(at, is_ruined);
-  }, reached);
+  const std::vector<double> share = hold_back(
+    complex, points, step, rounds, false,
+    [&](const Positions& ends, std::vector<char>& is_ruined) {
+      at = ends;
+      retract(at);
+      batches.for_each([&](std::size_t i) {
+        const Hexahedron_frame<Lanes> frame = batches.frame(i, at);
+        Lanes lowest = Corner_frame<Lanes>(frame, 0).scaled_jacobian;
+        for (int c = 1; c < 8; ++c)
+          lowest = smaller(Corner_frame<Lanes>(frame, c).scaled_jacobian, lowest);
+        for (int l = 0; l < batches.number_of_hexahedra(i); ++l)
+          is_ruined[batches.first_hexahedron(i) + l] = !(lane(lowest, l) >= lane(*least.batch(i), l));
+      });
+      find_more(at, is_ruined);
+    },
+    reached);
   for (std::size_t v = 0; v < step.size(); ++v)
     step[v] *= share[v];
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_HOLD_CORNERS_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Edge_pair
 {
@@ -71,7 +69,8 @@ private:
   {
     const auto key = [](const Edge_pair& p) { return std::uint64_t(p.first) << 32 | std::uint32_t(p.second); };
     std::sort(pairs.begin(), pairs.end(), [&](const Edge_pair& p, const Edge_pair& q) { return key(p) < key(q); });
-    pairs.erase(std::unique(pairs.begin(), pairs.end(), [&](const Edge_pair& p, const Edge_pair& q) { return key(p) == key(q); }),
+    pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                            [&](const Edge_pair& p, const Edge_pair& q) { return key(p) == key(q); }),
                 pairs.end());
     for (const Edge_pair& p : pairs) {
       ++degree[p.first / 2];
@@ -91,6 +90,6 @@ private:
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_EDGE_RELATIONS_H

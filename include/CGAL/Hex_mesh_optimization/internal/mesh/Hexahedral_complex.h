@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 using Hexahedron = std::array<int, 8>;
 
@@ -53,12 +51,13 @@ public:
     number_edges();
     pair_faces();
     number_boundary_edges();
-    vertex_hexahedra = Grouped_array(number_of_vertices, this->hexahedra.size() * 8,
-                                     [this](std::size_t k) { return this->hexahedra[k / 8][k % 8]; },
-                                     [](std::size_t k) { return static_cast<int>(k / 8); });
-    vertex_boundary_faces = Grouped_array(number_of_vertices, boundary_faces.size() * 4,
-                                          [this](std::size_t k) { return boundary_faces[k / 4].vertices[k % 4]; },
-                                          [](std::size_t k) { return static_cast<int>(k / 4); });
+    vertex_hexahedra = Grouped_array(
+      number_of_vertices, this->hexahedra.size() * 8, [this](std::size_t k) { return this->hexahedra[k / 8][k % 8]; },
+      [](std::size_t k) { return static_cast<int>(k / 8); });
+    vertex_boundary_faces = Grouped_array(
+      number_of_vertices, boundary_faces.size() * 4,
+      [this](std::size_t k) { return boundary_faces[k / 4].vertices[k % 4]; },
+      [](std::size_t k) { return static_cast<int>(k / 4); });
     require_manifold_vertices();
   }
 
@@ -68,14 +67,14 @@ public:
   int target(int directed) const { return edges[directed / 2][1 - (directed & 1)]; }
 
   std::vector<Hexahedron> hexahedra;
-  std::vector<std::array<int, 2>> edges;                 // sorted; the smaller index first
-  std::vector<std::array<int, 12>> hexahedron_edges;     // directed edges, in the order of the table
+  std::vector<std::array<int, 2>> edges;                          // sorted; the smaller index first
+  std::vector<std::array<int, 12>> hexahedron_edges;              // directed edges, in the order of the table
   std::vector<std::array<std::pair<int, int>, 2>> interior_faces; // (hexahedron, local face) of either side
   std::vector<Boundary_face> boundary_faces;
   std::vector<Boundary_edge> boundary_edges;
-  std::vector<char> is_on_boundary;                      // of a vertex
-  std::vector<char> is_boundary_edge;                    // of an edge
-  std::vector<char> is_used;                             // of a vertex: has a hexahedron
+  std::vector<char> is_on_boundary;   // of a vertex
+  std::vector<char> is_boundary_edge; // of an edge
+  std::vector<char> is_used;          // of a vertex: has a hexahedron
   Grouped_array vertex_hexahedra, vertex_boundary_faces;
 
 private:
@@ -127,7 +126,8 @@ private:
         keyed.push_back(face);
       }
     std::sort(keyed.begin(), keyed.end());
-    std::vector<std::pair<int, int>> alone; // in the order of the hexahedra, so that nothing depends on the numbering of vertices
+    std::vector<std::pair<int, int>>
+      alone; // in the order of the hexahedra, so that nothing depends on the numbering of vertices
     for (std::size_t i = 0; i < keyed.size();) {
       std::size_t end = i + 1;
       while (end < keyed.size() && keyed[end].key == keyed[i].key)
@@ -135,8 +135,8 @@ private:
       if (end - i > 2)
         throw Input_error(Input_error::Element::HEXAHEDRON, keyed[i + 2].hexahedron,
                           "hexahedron " + std::to_string(keyed[i + 2].hexahedron) +
-                          " is the third one on a face that hexahedra " + std::to_string(keyed[i].hexahedron) + " and " +
-                          std::to_string(keyed[i + 1].hexahedron) + " already share");
+                            " is the third one on a face that hexahedra " + std::to_string(keyed[i].hexahedron) +
+                            " and " + std::to_string(keyed[i + 1].hexahedron) + " already share");
       if (end - i == 2)
         interior_faces.push_back({std::make_pair(keyed[i].hexahedron, keyed[i].face),
                                   std::make_pair(keyed[i + 1].hexahedron, keyed[i + 1].face)});
@@ -171,9 +171,9 @@ private:
       if (i + 1 == sides.size() || sides[i + 1][0] != left[0] || sides[i + 1][1] == left[1] ||
           (i + 2 < sides.size() && sides[i + 2][0] == left[0]))
         throw Input_error(Input_error::Element::HEXAHEDRON, boundary_faces[left[2]].hexahedron,
-                          "the boundary is not a manifold along the edge from vertex " + std::to_string(edges[left[0]][0]) +
-                          " to vertex " + std::to_string(edges[left[0]][1]) + " of hexahedron " +
-                          std::to_string(boundary_faces[left[2]].hexahedron));
+                          "the boundary is not a manifold along the edge from vertex " +
+                            std::to_string(edges[left[0]][0]) + " to vertex " + std::to_string(edges[left[0]][1]) +
+                            " of hexahedron " + std::to_string(boundary_faces[left[2]].hexahedron));
       is_boundary_edge[left[0]] = true;
       boundary_edges.push_back({left[0], left[2], sides[i + 1][2]});
     }
@@ -217,7 +217,7 @@ private:
       if (a[i] != b[(k + 4 - i) % 4])
         throw Input_error(Input_error::Element::HEXAHEDRON, sides[1].first,
                           "hexahedra " + std::to_string(sides[0].first) + " and " + std::to_string(sides[1].first) +
-                          " share four vertices but not a face with opposite orientations");
+                            " share four vertices but not a face with opposite orientations");
   }
 
   std::array<int, 4> face_vertices(int hexahedron, int face) const
@@ -237,6 +237,6 @@ public:
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H

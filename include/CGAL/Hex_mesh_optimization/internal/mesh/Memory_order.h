@@ -15,17 +15,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Memory_order
 {
 public:
-  // Breadth first from a vertex at one end of each component, as by Cuthill and McKee (1969), but without their order by
-  // degree; hexahedra by their first vertex; unused vertices at the end. O(vertices + hexahedra).
-  explicit Memory_order(const Hexahedral_complex& complex)
-    : new_vertex_(complex.number_of_vertices(), -1)
+  // Breadth first from a vertex at one end of each component, as by Cuthill and McKee (1969), but without their order
+  // by degree; hexahedra by their first vertex; unused vertices at the end. O(vertices + hexahedra).
+  explicit Memory_order(const Hexahedral_complex& complex) : new_vertex_(complex.number_of_vertices(), -1)
   {
     std::vector<int> mark(complex.number_of_vertices(), 0);
     for (std::size_t v = 0; v < new_vertex_.size(); ++v)
@@ -45,7 +42,8 @@ public:
         first = (std::min)(first, new_vertex_[v]);
       return first;
     };
-    const Grouped_array by_first_vertex(vertices_.size(), complex.hexahedra.size(), first_vertex, [](std::size_t h) { return static_cast<int>(h); });
+    const Grouped_array by_first_vertex(vertices_.size(), complex.hexahedra.size(), first_vertex,
+                                        [](std::size_t h) { return static_cast<int>(h); });
     for (std::size_t i = 0; i < vertices_.size(); ++i)
       hexahedra_.insert(hexahedra_.end(), by_first_vertex[i].begin(), by_first_vertex[i].end());
   }
@@ -104,6 +102,6 @@ private:
   std::vector<int> new_vertex_;           // of each given one
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_MEMORY_ORDER_H

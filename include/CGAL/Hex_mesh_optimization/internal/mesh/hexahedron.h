@@ -7,10 +7,9 @@
 // The reference hexahedron: its corners, edges and faces in the numbering that
 // VTK and Medit share (0-3 bottom, 4-7 above them).
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
+// clang-format off
 // The three edge neighbors of a corner, ordered so that the determinant of the
 // three edge vectors is positive in a positively oriented hexahedron.
 constexpr int corner_neighbors[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
@@ -29,7 +28,8 @@ constexpr int hexahedron_edges[12][2] = {{0, 1}, {3, 2}, {4, 5}, {7, 6},
 // hexahedron_edges, plus one where the table runs the other way.
 constexpr int corner_edges[8][3] = {{0, 8, 16}, {10, 1, 18}, {3, 11, 20}, {9, 2, 22},
                                     {12, 4, 17}, {5, 14, 19}, {15, 7, 21}, {6, 13, 23}};
+// clang-format on
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRON_H

@@ -18,9 +18,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 inline std::vector<double> edge_lengths(const Hexahedral_complex& complex, const Positions& points)
 {
@@ -38,8 +36,8 @@ inline double mean_boundary_edge_length(const Hexahedral_complex& complex, const
   return sum / complex.boundary_edges.size();
 }
 
-// The system of eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel edges, those that a
-// sheet of hexahedra crosses, and between consecutive ones, which go on from sheet to sheet, or else not.
+// The system of eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel edges, those that
+// a sheet of hexahedra crosses, and between consecutive ones, which go on from sheet to sheet, or else not.
 class Length_system
 {
 public:
@@ -79,16 +77,18 @@ private:
   std::vector<double> diagonal_;
 };
 
-// Minimizes eq. 22. The system is diagonally dominant, so conjugate gradients need a number of steps that does not depend
-// on the mesh; each is linear in the number of edge pairs.
-inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted, bool couples_sheets = true)
+// Minimizes eq. 22. The system is diagonally dominant, so conjugate gradients need a number of steps that does not
+// depend on the mesh; each is linear in the number of edge pairs.
+inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted,
+                                               bool couples_sheets = true)
 {
-  const double tolerance = 1e-6; // of the mean length
+  const double tolerance = 1e-6;   // of the mean length
   const int most_iterations = 500; // some tens are needed
   const std::size_t n = wanted.size();
   const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
   std::vector<double> lengths(n, mean);
-  conjugate_gradients(Length_system(relations, couples_sheets), wanted, {tolerance * tolerance * mean * mean * n, most_iterations, n}, lengths);
+  conjugate_gradients(Length_system(relations, couples_sheets), wanted,
+                      {tolerance * tolerance * mean * mean * n, most_iterations, n}, lengths);
   return lengths;
 }
 
@@ -105,9 +105,10 @@ inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& compl
   return smooth_edge_lengths(relations, wanted);
 }
 
-// Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, so that layers keep the
-// heights that they have.
-inline std::vector<double> layered_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations, const Positions& points)
+// Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, so that layers keep
+// the heights that they have.
+inline std::vector<double> layered_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
+                                                const Positions& points)
 {
   return smooth_edge_lengths(relations, edge_lengths(complex, points), false);
 }
@@ -115,7 +116,8 @@ inline std::vector<double> layered_edge_lengths(const Hexahedral_complex& comple
 // eq. 23, 24: lengths move to the reached ones where the worst hexahedron around
 // the edge is poor.
 inline void update_edge_lengths(const Hexahedral_complex& complex, const Positions& points,
-                                const std::vector<double>& hexahedron_quality, double sigma, std::vector<double>& lengths)
+                                const std::vector<double>& hexahedron_quality, double sigma,
+                                std::vector<double>& lengths)
 {
   std::vector<double> worst(lengths.size(), 1.0);
   for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
@@ -129,6 +131,6 @@ inline void update_edge_lengths(const Hexahedral_complex& complex, const Positio
   }
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H

@@ -13,12 +13,10 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
-// The pairs of corners of a hexahedron that share a face. Opposite corners of the hexahedron are not coupled, as no corner
-// has both among its neighbors.
+// The pairs of corners of a hexahedron that share a face. Opposite corners of the hexahedron are not coupled, as no
+// corner has both among its neighbors.
 struct Hexahedron_couplings
 {
   static constexpr int number = 24;
@@ -49,12 +47,14 @@ inline Grouped_array vertex_couplings(const Hexahedral_complex& complex)
   constexpr std::size_t sides = 2 * Hexahedron_couplings::number; // pair and end
   const auto vertex = [&](std::size_t item, bool is_other) {
     const std::size_t side = item % sides, pair = side / 2;
-    return complex.hexahedra[item / sides][(side % 2 == 1) == is_other ? hexahedron_couplings.first[pair] : hexahedron_couplings.second[pair]];
+    return complex.hexahedra[item / sides][(side % 2 == 1) == is_other ? hexahedron_couplings.first[pair]
+                                                                       : hexahedron_couplings.second[pair]];
   };
-  return Grouped_array(complex.number_of_vertices(), sides * complex.hexahedra.size(), [&](std::size_t i) { return vertex(i, false); },
-                       [&](std::size_t i) { return vertex(i, true); });
+  return Grouped_array(
+    complex.number_of_vertices(), sides * complex.hexahedra.size(), [&](std::size_t i) { return vertex(i, false); },
+    [&](std::size_t i) { return vertex(i, true); });
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_VERTEX_COUPLINGS_H

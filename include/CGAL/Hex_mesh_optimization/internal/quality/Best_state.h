@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // The first of these that differs decides which of two states is better:
 //   1. their standings,
@@ -25,9 +23,10 @@ namespace internal {
 class Best_state
 {
 public:
-  // Accepted is a minimum down to part · highest − loss. excess and away: as in Standing. looseness: the greater, the looser.
-  Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss, double excess = 0,
-             double looseness = 0, std::size_t away = 0)
+  // Accepted is a minimum down to part · highest − loss. excess and away: as in Standing. looseness: the greater, the
+  // looser.
+  Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss,
+             double excess = 0, double looseness = 0, std::size_t away = 0)
     : points_(points)
     , standing_{quality.inverted, quality.invalid, excess, away}
     , looseness_(looseness)
@@ -38,7 +37,8 @@ public:
     , accepted_loss_(accepted_loss)
   {}
 
-  void offer(const Positions& points, const Mesh_quality& quality, double excess = 0, double looseness = 0, std::size_t away = 0)
+  void offer(const Positions& points, const Mesh_quality& quality, double excess = 0, double looseness = 0,
+             std::size_t away = 0)
   {
     const Standing standing{quality.inverted, quality.invalid, excess, away};
     const bool is_worse = standing_ < standing || (!(standing < standing_) && looseness > looseness_);
@@ -74,6 +74,6 @@ private:
   const double least_minimum_, accepted_part_, accepted_loss_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_BEST_STATE_H

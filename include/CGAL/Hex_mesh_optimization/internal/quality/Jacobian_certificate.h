@@ -24,9 +24,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 constexpr int default_maximum_depth = 20;
 
@@ -69,8 +67,7 @@ Bezier_coefficients<NT> jacobian_coefficients(const Edge_vectors<NT>& edges)
   const NT half(.5);
   Coordinates<NT> normal[2][2][3]; // i, j, c
   for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-    {
+    for (int j = 0; j < 2; ++j) {
       normal[i][j][0] = cross_product(edges.u[j], edges.v[i]);
       normal[i][j][2] = cross_product(edges.u[j + 2], edges.v[i + 2]);
       const Coordinates<NT> s = cross_product(edges.u[j], edges.v[i + 2]);
@@ -80,10 +77,8 @@ Bezier_coefficients<NT> jacobian_coefficients(const Edge_vectors<NT>& edges)
     }
 
   Bezier_coefficients<NT> result;
-  for (int c = 0; c < 3; ++c)
-  {
-    auto det = [&](int i, int j, int n, int l)
-    { return scalar_product(normal[i][j][c], edges.w[n + 2 * l]); };
+  for (int c = 0; c < 3; ++c) {
+    auto det = [&](int i, int j, int n, int l) { return scalar_product(normal[i][j][c], edges.w[n + 2 * l]); };
     NT* const b = result.data() + 9 * c;
     b[0] = det(0, 0, 0, 0);
     b[1] = half * (det(0, 0, 1, 0) + det(1, 0, 0, 0));
@@ -106,14 +101,11 @@ std::array<Bezier_coefficients<NT>, 8> split(const Bezier_coefficients<NT>& coef
   std::array<Bezier_coefficients<NT>, 8> cells;
   cells[0] = coefficients;
   int count = 1;
-  for (int stride : {1, 3, 9})
-  {
-    for (int cell = 0; cell < count; ++cell)
-    {
+  for (int stride : {1, 3, 9}) {
+    for (int cell = 0; cell < count; ++cell) {
       Bezier_coefficients<NT>& lower = cells[cell];
       Bezier_coefficients<NT>& upper = cells[cell + count];
-      for (int first = 0; first < 27; ++first)
-      {
+      for (int first = 0; first < 27; ++first) {
         if (first / stride % 3 != 0)
           continue;
         const int middle = first + stride, last = middle + stride;
@@ -155,8 +147,7 @@ public:
 private:
   Validity classify(const Bezier_coefficients<NT>& b, int depth)
   {
-    for (int corner : bezier_corners)
-    {
+    for (int corner : bezier_corners) {
       const int s = sign_(b[corner], depth);
       if (s < 0)
         return Validity::INVALID;
@@ -169,8 +160,7 @@ private:
 
   Validity subdivide(const Bezier_coefficients<NT>& coefficients, int depth)
   {
-    if (depth >= maximum_depth_ || number_of_splits_ == maximum_number_of_splits)
-    {
+    if (depth >= maximum_depth_ || number_of_splits_ == maximum_number_of_splits) {
       // it is the limit that prevents the proof only where more precise numbers would not give it
       if (std::none_of(coefficients.begin(), coefficients.end(), [&](const NT& x) { return sign_(x, depth) < 0; }))
         imprecise_ = true;
@@ -184,8 +174,7 @@ private:
     const std::array<Bezier_coefficients<NT>, 8>& cells = *halves;
     std::array<std::pair<double, int>, 8> open;
     auto end = open.begin();
-    for (int cell = 0; cell < 8; ++cell)
-    {
+    for (int cell = 0; cell < 8; ++cell) {
       const Validity validity = classify(cells[cell], depth + 1);
       if (validity == Validity::INVALID)
         return validity;
@@ -194,8 +183,7 @@ private:
     }
 
     Validity result = Validity::VALID;
-    while (end != open.begin() && !imprecise_)
-    {
+    while (end != open.begin() && !imprecise_) {
       // the most suspicious cell first: a negative value is then found soon
       std::iter_swap(std::min_element(open.begin(), end), end - 1);
       --end;
@@ -247,10 +235,7 @@ struct Sign_of_rounded
 // Tier 2: intervals.
 struct Sign_of_interval
 {
-  int operator()(const CGAL::Interval_nt<false>& x, int) const
-  {
-    return x.inf() > 0 ? 1 : x.sup() <= 0 ? -1 : 0;
-  }
+  int operator()(const CGAL::Interval_nt<false>& x, int) const { return x.inf() > 0 ? 1 : x.sup() <= 0 ? -1 : 0; }
 };
 
 // Tier 3: exact numbers.
@@ -275,8 +260,7 @@ struct Scaling
     , factor{{1, 1, 1}}
   {
     for (int d = 0; d < 3; ++d)
-      if (!in_range(largest[d]) && largest[d] > 0 && std::isfinite(largest[d]))
-      {
+      if (!in_range(largest[d]) && largest[d] > 0 && std::isfinite(largest[d])) {
         // the factor for a denormal number must remain finite
         factor[d] = std::ldexp(1., -(std::max)(std::ilogb(largest[d]), -1000));
         largest[d] *= factor[d];
@@ -291,8 +275,7 @@ struct Scaling
     if (factor[0] == 1 && factor[1] == 1 && factor[2] == 1)
       return;
     int d = 0;
-    for (auto* direction : {&edges.u, &edges.v, &edges.w})
-    {
+    for (auto* direction : {&edges.u, &edges.v, &edges.w}) {
       for (Coordinates<NT>& e : *direction)
         for (NT& x : e)
           x = x * NT(factor[d]);
@@ -310,10 +293,7 @@ private:
     return result;
   }
 
-  static bool in_range(double x)
-  {
-    return x > 0x1p-300 && x < 0x1p300;
-  }
+  static bool in_range(double x) { return x > 0x1p-300 && x < 0x1p300; }
 };
 
 template <class NT>
@@ -325,8 +305,7 @@ Edge_vectors<NT> edge_vectors_of_type(const Hexahedron_coordinates& x)
   return Edge_vectors<NT>(y);
 }
 
-inline std::optional<Validity> rounded_validity(Edge_vectors<double> edges, const Scaling& scaling,
-                                                int maximum_depth)
+inline std::optional<Validity> rounded_validity(Edge_vectors<double> edges, const Scaling& scaling, int maximum_depth)
 {
   scaling(edges);
   const double unit = 0x1p-53 * scaling.largest[0] * scaling.largest[1] * scaling.largest[2];
@@ -346,8 +325,8 @@ inline std::optional<Validity> interval_validity(const Hexahedron_coordinates& x
 template <class NT>
 Validity exact_validity(const Hexahedron_coordinates& x, int maximum_depth)
 {
-  return *Subdivision<NT, Sign_of_exact>(Sign_of_exact(), maximum_depth)
-    (jacobian_coefficients(edge_vectors_of_type<NT>(x)));
+  return *Subdivision<NT, Sign_of_exact>(Sign_of_exact(),
+                                         maximum_depth)(jacobian_coefficients(edge_vectors_of_type<NT>(x)));
 }
 
 inline Validity hexahedron_validity(const Hexahedron_coordinates& x, int maximum_depth = default_maximum_depth)
@@ -370,6 +349,6 @@ inline Validity hexahedron_validity(const Hexahedron_coordinates& x, int maximum
   return exact_validity<Exact_number>(x, maximum_depth);
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_JACOBIAN_CERTIFICATE_H

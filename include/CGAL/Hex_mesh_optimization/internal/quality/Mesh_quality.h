@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Mesh_quality
 {
@@ -29,18 +27,20 @@ struct Mesh_quality
   std::size_t invalid = 0;              // not certified, the inverted ones included
   double minimum = 1, average = 0;
 
-  Mesh_quality(const Hexahedral_complex& complex, const Positions& points)
-    : scaled_jacobians(complex.hexahedra.size())
+  Mesh_quality(const Hexahedral_complex& complex, const Positions& points) : scaled_jacobians(complex.hexahedra.size())
   {
-    const auto parts = results_of_ranges<Quality_counts>(scaled_jacobians.size(), [&](std::size_t begin, std::size_t end) {
-      Quality_counts part;
-      for (std::size_t h = begin; h < end; ++h) {
-        const Hexahedron_coordinates x = hexahedron_coordinates(points, complex.hexahedra[h]);
-        const double q = scaled_jacobians[h] = scaled_jacobian(x);
-        part.add(q, q > 0 && hexahedron_validity(x) == Validity::VALID);
-      }
-      return part;
-    }, 512);
+    const auto parts = results_of_ranges<Quality_counts>(
+      scaled_jacobians.size(),
+      [&](std::size_t begin, std::size_t end) {
+        Quality_counts part;
+        for (std::size_t h = begin; h < end; ++h) {
+          const Hexahedron_coordinates x = hexahedron_coordinates(points, complex.hexahedra[h]);
+          const double q = scaled_jacobians[h] = scaled_jacobian(x);
+          part.add(q, q > 0 && hexahedron_validity(x) == Validity::VALID);
+        }
+        return part;
+      },
+      512);
     Quality_counts counts;
     for (const Quality_counts& part : parts)
       counts.add(part);
@@ -60,6 +60,6 @@ struct Mesh_quality
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_MESH_QUALITY_H

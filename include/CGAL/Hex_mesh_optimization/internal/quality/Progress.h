@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Of the minimum, which rises, and the average, which falls while a boundary settles.
 class Progress
@@ -54,6 +52,6 @@ private:
   std::size_t since_minimum_ = 0, since_average_ = 0;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_PROGRESS_H

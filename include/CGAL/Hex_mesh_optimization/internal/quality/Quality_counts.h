@@ -10,14 +10,12 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Quality_counts
 {
-  std::size_t inverted = 0; // with a scaled Jacobian ≤ 0
-  std::size_t invalid = 0;  // not certified
+  std::size_t inverted = 0;    // with a scaled Jacobian ≤ 0
+  std::size_t invalid = 0;     // not certified
   double minimum = 1, sum = 0; // of the scaled Jacobians
 
   void add(double scaled_jacobian, bool is_valid)
@@ -37,6 +35,6 @@ struct Quality_counts
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_QUALITY_COUNTS_H

@@ -16,13 +16,10 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Why a stage ended.
-enum class Stage_end
-{
+enum class Stage_end {
   CONVERGED,       // nothing was gained any more, or as much as was asked for
   ITERATION_LIMIT, // the iterations were used up before
   STOPPED          // by the time limit or the visitor
@@ -33,7 +30,8 @@ class Run_control
 public:
   using Callback = std::function<bool(const Iteration&)>;
 
-  explicit Run_control(double maximum_seconds = std::numeric_limits<double>::infinity(), Callback on_iteration = nullptr)
+  explicit Run_control(double maximum_seconds = std::numeric_limits<double>::infinity(),
+                       Callback on_iteration = nullptr)
     : start_(Clock::now())
     , maximum_seconds_(maximum_seconds)
     , on_iteration_(std::move(on_iteration))
@@ -47,7 +45,8 @@ public:
   bool after_iteration(Stage stage, std::size_t iteration, double energy, const Mesh_quality& quality)
   {
     ++iterations;
-    if (on_iteration_ && !on_iteration_({stage, iteration, energy, quality.inverted, quality.minimum, quality.average, seconds()})) {
+    if (on_iteration_ &&
+        !on_iteration_({stage, iteration, energy, quality.inverted, quality.minimum, quality.average, seconds()})) {
       stop(Return_code::STOPPED_BY_VISITOR);
       return false;
     }
@@ -90,6 +89,6 @@ private:
   Return_code return_code_ = Return_code::CONVERGED;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_RUN_CONTROL_H

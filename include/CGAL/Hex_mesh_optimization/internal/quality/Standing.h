@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <tuple>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Standing
 {
@@ -23,13 +21,13 @@ struct Standing
   bool is_good() const { return invalid == 0 && !(excess > 0); }
 };
 
-// Whether the first comes before the second: the fewest inverted hexahedra, the fewest invalid ones, the least excess, the
-// fewest vertices away from corners, and from curves and faces where those are exact.
+// Whether the first comes before the second: the fewest inverted hexahedra, the fewest invalid ones, the least excess,
+// the fewest vertices away from corners, and from curves and faces where those are exact.
 inline bool operator<(const Standing& a, const Standing& b)
 {
   return std::tie(a.inverted, a.invalid, a.excess, a.away) < std::tie(b.inverted, b.invalid, b.excess, b.away);
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 template <class NT>
 using Coordinates = std::array<NT, 3>;
@@ -31,13 +29,11 @@ Coordinates<double> coordinates(const Point& p)
 }
 
 template <class Point>
-Hexahedron_coordinates hexahedron_coordinates(const Point& p0, const Point& p1,
-                                              const Point& p2, const Point& p3,
-                                              const Point& p4, const Point& p5,
-                                              const Point& p6, const Point& p7)
+Hexahedron_coordinates hexahedron_coordinates(const Point& p0, const Point& p1, const Point& p2, const Point& p3,
+                                              const Point& p4, const Point& p5, const Point& p6, const Point& p7)
 {
-  return {{coordinates(p0), coordinates(p1), coordinates(p2), coordinates(p3),
-           coordinates(p4), coordinates(p5), coordinates(p6), coordinates(p7)}};
+  return {{coordinates(p0), coordinates(p1), coordinates(p2), coordinates(p3), coordinates(p4), coordinates(p5),
+           coordinates(p6), coordinates(p7)}};
 }
 
 template <class PointRange>
@@ -51,8 +47,7 @@ Hexahedron_coordinates hexahedron_coordinates(const PointRange& points, const He
 {
   Hexahedron_coordinates result;
   auto vertex = std::begin(hexahedron);
-  for (Coordinates<double>& x : result)
-  {
+  for (Coordinates<double>& x : result) {
     x = coordinates(points[static_cast<std::size_t>(*vertex)]);
     ++vertex;
   }
@@ -68,9 +63,7 @@ Coordinates<NT> difference(const Coordinates<NT>& a, const Coordinates<NT>& b)
 template <class NT>
 Coordinates<NT> cross_product(const Coordinates<NT>& a, const Coordinates<NT>& b)
 {
-  return {{NT(a[1] * b[2] - a[2] * b[1]),
-           NT(a[2] * b[0] - a[0] * b[2]),
-           NT(a[0] * b[1] - a[1] * b[0])}};
+  return {{NT(a[1] * b[2] - a[2] * b[1]), NT(a[2] * b[0] - a[0] * b[2]), NT(a[0] * b[1] - a[1] * b[0])}};
 }
 
 template <class NT>
@@ -91,8 +84,7 @@ struct Edge_vectors
   {
     // hexahedron_edges lists the edges along w around the bottom face
     constexpr int around[4] = {0, 1, 3, 2};
-    for (int e = 0; e < 4; ++e)
-    {
+    for (int e = 0; e < 4; ++e) {
       u[e] = along(x, hexahedron_edges[e]);
       v[e] = along(x, hexahedron_edges[4 + e]);
       w[e] = along(x, hexahedron_edges[8 + around[e]]);
@@ -106,6 +98,6 @@ private:
   }
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_HEXAHEDRON_COORDINATES_H

@@ -13,17 +13,15 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Halves the step at the vertices of hexahedra that are ruined by it, again and again, up to `rounds` times.
-// find_ruined(reached, is_ruined) tells for each hexahedron. Where ends_at_rest, it is taken back altogether in the last two
-// rounds. reached comes in as the end of the full step and is moved back with it. Returns the part of the step
+// find_ruined(reached, is_ruined) tells for each hexahedron. Where ends_at_rest, it is taken back altogether in the
+// last two rounds. reached comes in as the end of the full step and is moved back with it. Returns the part of the step
 // that each vertex keeps. O(rounds · hexahedra).
 template <class Find_ruined>
-std::vector<double> hold_back(const Hexahedral_complex& complex, const Positions& before, const Positions& step, int rounds,
-                              bool ends_at_rest, const Find_ruined& find_ruined, Positions& reached)
+std::vector<double> hold_back(const Hexahedral_complex& complex, const Positions& before, const Positions& step,
+                              int rounds, bool ends_at_rest, const Find_ruined& find_ruined, Positions& reached)
 {
   std::vector<double> share(step.size(), 1.0);
   std::vector<char> is_ruined(complex.hexahedra.size());
@@ -47,6 +45,6 @@ std::vector<double> hold_back(const Hexahedral_complex& complex, const Positions
   return share;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_HOLD_BACK_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 template <class PointRange, class HexahedronRange>
 Quality_statistics quality_statistics(const PointRange& points, const HexahedronRange& hexahedra)
@@ -35,8 +33,7 @@ Quality_statistics quality_statistics(const PointRange& points, const Hexahedron
   edge_ratios.reserve(n);
   result.minimum_with_center = 1;
   Quality_counts counts;
-  for (const auto& hexahedron : hexahedra)
-  {
+  for (const auto& hexahedron : hexahedra) {
     const auto x = hexahedron_coordinates(points, hexahedron);
     const double quality = scaled_jacobian(x);
     const double with_center = (std::min)(quality, center_scaled_jacobian(x));
@@ -57,8 +54,7 @@ Quality_statistics quality_statistics(const PointRange& points, const Hexahedron
     variance += (quality - result.average) * (quality - result.average);
   result.standard_deviation = std::sqrt(variance / double(n));
 
-  auto entry = [&edge_ratios](std::size_t rank)
-  {
+  auto entry = [&edge_ratios](std::size_t rank) {
     std::nth_element(edge_ratios.begin(), edge_ratios.begin() + rank, edge_ratios.end());
     return edge_ratios[rank];
   };
@@ -68,6 +64,6 @@ Quality_statistics quality_statistics(const PointRange& points, const Hexahedron
   return result;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_QUALITY_STATISTICS_H

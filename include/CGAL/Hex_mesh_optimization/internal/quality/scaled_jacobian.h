@@ -14,17 +14,14 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // The vector scaled to length 1. Zero vectors, and those that are not finite,
 // become NaN, which spreads to every determinant they enter.
 inline Coordinates<double> normalized(Coordinates<double> a)
 {
   double squared_length = scalar_product(a, a);
-  if (!(squared_length > 1e-280 && squared_length < 1e280))
-  {
+  if (!(squared_length > 1e-280 && squared_length < 1e280)) {
     // the square may have over- or underflowed: bring the largest component to 1 first
     const double largest = (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
     for (double& x : a)
@@ -53,8 +50,7 @@ inline double scaled_jacobian(const Hexahedron_coordinates& x)
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 2; ++i)
-        result = (std::min)(result, scaled_determinant(edges.u[j + 2 * k], edges.v[i + 2 * k],
-                                                       edges.w[i + 2 * j]));
+        result = (std::min)(result, scaled_determinant(edges.u[j + 2 * k], edges.v[i + 2 * k], edges.w[i + 2 * j]));
   return result;
 }
 
@@ -62,15 +58,13 @@ inline double scaled_jacobian(const Hexahedron_coordinates& x)
 inline double center_scaled_jacobian(const Hexahedron_coordinates& x)
 {
   const Edge_vectors<double> edges(x);
-  auto principal_axis = [](const std::array<Coordinates<double>, 4>& e)
-  {
+  auto principal_axis = [](const std::array<Coordinates<double>, 4>& e) {
     Coordinates<double> axis;
     for (int i = 0; i < 3; ++i)
       axis[i] = .25 * e[0][i] + .25 * e[1][i] + .25 * e[2][i] + .25 * e[3][i];
     return normalized(axis);
   };
-  return scaled_determinant(principal_axis(edges.u), principal_axis(edges.v),
-                            principal_axis(edges.w));
+  return scaled_determinant(principal_axis(edges.u), principal_axis(edges.v), principal_axis(edges.w));
 }
 
 inline double edge_ratio(const Hexahedron_coordinates& x)
@@ -79,8 +73,7 @@ inline double edge_ratio(const Hexahedron_coordinates& x)
   double shortest = std::numeric_limits<double>::infinity();
   double longest = 0;
   for (const auto* direction : {&edges.u, &edges.v, &edges.w})
-    for (const Coordinates<double>& e : *direction)
-    {
+    for (const Coordinates<double>& e : *direction) {
       const double length = std::hypot(e[0], e[1], e[2]);
       if (!(length > 0) || std::isinf(length))
         return std::numeric_limits<double>::infinity();
@@ -90,6 +83,6 @@ inline double edge_ratio(const Hexahedron_coordinates& x)
   return longest / shortest;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_SCALED_JACOBIAN_H

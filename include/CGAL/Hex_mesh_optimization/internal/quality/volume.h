@@ -11,9 +11,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Exact up to rounding, also where faces are warped: the determinant has degree 2 in each coordinate, and two points of
 // Gauss are exact up to degree 3. Where the map folds, its parts count with their signs. corners[k]: of corner k.
@@ -41,6 +39,6 @@ inline double volume(const Vector_3 (&corners)[8])
   return sum;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_VOLUME_H

@@ -32,16 +32,15 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Edge_cone_rectification
 {
 public:
   // Positions are in units of the mean boundary edge; lengths are the targets.
-  Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations, const Reference_surface& surface,
-                          const Boundary_attachment& attachment, const std::vector<char>& is_fixed, std::vector<double> lengths,
+  Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations,
+                          const Reference_surface& surface, const Boundary_attachment& attachment,
+                          const std::vector<char>& is_fixed, std::vector<double> lengths,
                           const Rectification_parameters& parameters)
     : complex_(complex)
     , surface_(surface)
@@ -56,8 +55,8 @@ public:
     , targets_(cones_.size())
   {}
 
-  // Improves points until nothing moves, the target is reached or no more hexahedra are inverted than tolerated, or control
-  // ends the run; leaves in them the best state met, the one that came in included.
+  // Improves points until nothing moves, the target is reached or no more hexahedra are inverted than tolerated, or
+  // control ends the run; leaves in them the best state met, the one that came in included.
   Stage_end run(Positions& points, Run_control& control, double target_quality, std::size_t tolerated = 0)
   {
     const Mesh_quality given(complex_, points);
@@ -94,10 +93,13 @@ private:
   // One local and one global step. False when nothing moved any more.
   bool iterate(Positions& points, double anchor, Best_state& best, Run_control& control, bool maximizing)
   {
-    for_each(points.size(), [&](std::size_t v) {
-      if (is_smooth(static_cast<int>(v)))
-        feet_[v] = surface_.foot_point(points[v], feet_[v].hint);
-    }, 64);
+    for_each(
+      points.size(),
+      [&](std::size_t v) {
+        if (is_smooth(static_cast<int>(v)))
+          feet_[v] = surface_.foot_point(points[v], feet_[v].hint);
+      },
+      64);
     const double worst_cosine = local_step(points, maximizing);
     global_.set_boundary(surface_, attachment_, feet_, weights_, anchor, points);
     if (best.invalid() == 0)
@@ -120,15 +122,19 @@ private:
   {
     Positions step(points.size());
     for_each(step.size(), [&](std::size_t v) { step[v] = points[v] - before[v]; });
-    hold_back(complex_, before, step, parameters_.hold_back_attempts, true, [&](const Positions& reached, std::vector<char>& is_ruined) {
-      for_each(is_ruined.size(), [&](std::size_t h) {
-        const Hexahedron_coordinates x = hexahedron_coordinates(reached, complex_.hexahedra[h]);
-        const double q = scaled_jacobian(x);
-        is_ruined[h] = q <= parameters_.hold_back_quality &&
-                       (q < parameters_.hold_back_loss * scaled_jacobian(hexahedron_coordinates(before, complex_.hexahedra[h])) ||
-                        hexahedron_validity(x) != Validity::VALID);
-      });
-    }, points);
+    hold_back(
+      complex_, before, step, parameters_.hold_back_attempts, true,
+      [&](const Positions& reached, std::vector<char>& is_ruined) {
+        for_each(is_ruined.size(), [&](std::size_t h) {
+          const Hexahedron_coordinates x = hexahedron_coordinates(reached, complex_.hexahedra[h]);
+          const double q = scaled_jacobian(x);
+          is_ruined[h] = q <= parameters_.hold_back_quality &&
+                         (q < parameters_.hold_back_loss *
+                                scaled_jacobian(hexahedron_coordinates(before, complex_.hexahedra[h])) ||
+                          hexahedron_validity(x) != Validity::VALID);
+        });
+      },
+      points);
   }
 
   // The pull gives way where the vertices had to be let go.
@@ -156,12 +162,16 @@ private:
     cones_.update_normals(points);
     const double threshold = std::cos(parameters_.cone_angle_bound * CGAL_PI / 180);
     double worst_of_mesh = 1;
-    for (double worst : results_of_ranges<double>(targets_.size(), [&](std::size_t begin, std::size_t end) {
-           double worst_of_range = 1;
-           for (std::size_t i = begin; i < end; ++i)
-             worst_of_range = (std::min)(worst_of_range, set_target(static_cast<int>(i), points, threshold, maximizing));
-           return worst_of_range;
-         }, 256))
+    for (double worst : results_of_ranges<double>(
+           targets_.size(),
+           [&](std::size_t begin, std::size_t end) {
+             double worst_of_range = 1;
+             for (std::size_t i = begin; i < end; ++i)
+               worst_of_range = (std::min)(worst_of_range,
+                                           set_target(static_cast<int>(i), points, threshold, maximizing));
+             return worst_of_range;
+           },
+           256))
       worst_of_mesh = (std::min)(worst_of_mesh, worst);
     return maximizing ? (std::max)(0.0, worst_of_mesh) : 0;
   }
@@ -172,7 +182,8 @@ private:
     Vector_3 normal = Vector_3::Zero();
     double surface_weight = 0;
     // an edge at a feature lies in no one tangent plane
-    if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) && is_smooth(complex_.target(directed))) {
+    if (complex_.is_boundary_edge[directed / 2] && is_smooth(complex_.source(directed)) &&
+        is_smooth(complex_.target(directed))) {
       normal = feet_[complex_.source(directed)].normal + feet_[complex_.target(directed)].normal;
       if (normal.norm() > parameters_.opposite_normals) {
         normal.normalize();
@@ -214,7 +225,8 @@ private:
     if (parameters_.length_update == Edge_length_update::NONE)
       return false;
     if (parameters_.length_update == Edge_length_update::SELECTIVE)
-      update_edge_lengths(complex_, points, Mesh_quality(complex_, points).scaled_jacobians, parameters_.length_update_sigma, lengths_);
+      update_edge_lengths(complex_, points, Mesh_quality(complex_, points).scaled_jacobians,
+                          parameters_.length_update_sigma, lengths_);
     else
       lengths_ = edge_lengths(complex_, points);
     double mean = 0;
@@ -263,6 +275,6 @@ private:
   bool is_valid_ = false;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H

@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Edge_cones
 {
@@ -27,9 +25,9 @@ public:
   // to neighbor `axis`; item 24 h + 3 corner + axis.
   explicit Edge_cones(const Hexahedral_complex& complex)
     : complex_(complex)
-    , triangles_(2 * complex.edges.size(), 24 * complex.hexahedra.size(),
-                 [this](std::size_t item) { return axis_of(item); },
-                 [](std::size_t item) { return static_cast<int>(item); })
+    , triangles_(
+        2 * complex.edges.size(), 24 * complex.hexahedra.size(), [this](std::size_t item) { return axis_of(item); },
+        [](std::size_t item) { return static_cast<int>(item); })
     , normals_(24 * complex.hexahedra.size())
     , sums_(triangles_.size())
   {}
@@ -94,7 +92,7 @@ private:
 struct Target_direction
 {
   Vector_3 direction = Vector_3::Zero(); // unit length
-  double worst_cosine = -1;              // cos α of eq. 16: against the base normals; ≤ 0 when the cone has no valid axis now
+  double worst_cosine = -1; // cos α of eq. 16: against the base normals; ≤ 0 when the cone has no valid axis now
   bool is_valid() const { return worst_cosine > 0; }
 };
 
@@ -132,10 +130,12 @@ inline Target_direction target_direction(const Edge_cones& cones, int directed, 
   }
   const double length = edge_vector.norm();
   const Vector_3 current = length > 0 ? Vector_3(edge_vector / length) : average;
-  const double worst_current = cones.worst_cosine(directed, current), worst_average = cones.worst_cosine(directed, average);
-  return worst_current > worst_average ? Target_direction{current, worst_current} : Target_direction{average, worst_average};
+  const double worst_current = cones.worst_cosine(directed, current),
+               worst_average = cones.worst_cosine(directed, average);
+  return worst_current > worst_average ? Target_direction{current, worst_current}
+                                       : Target_direction{average, worst_average};
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONES_H

@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Global_step
 {
@@ -40,15 +38,17 @@ public:
     , parameters_(parameters)
     , system_(complex.number_of_vertices(), couplings(complex, relations))
     , edge_slots_(complex.edges.size())
-    , vertex_edges_(complex.number_of_vertices(), 2 * complex.edges.size(),
-                    [&](std::size_t k) { return complex.edges[k / 2][k % 2]; }, [](std::size_t k) { return static_cast<int>(k); })
+    , vertex_edges_(
+        complex.number_of_vertices(), 2 * complex.edges.size(),
+        [&](std::size_t k) { return complex.edges[k / 2][k % 2]; }, [](std::size_t k) { return static_cast<int>(k); })
     , quadratic_(complex.edges.size())
     , linear_(complex.edges.size())
     , penalty_weight_(2 * complex.edges.size(), 1.0)
   {
     system_.is_fixed = is_fixed;
     for (std::size_t e = 0; e < edge_slots_.size(); ++e)
-      edge_slots_[e] = {system_.slot(complex.edges[e][0], complex.edges[e][1]), system_.slot(complex.edges[e][1], complex.edges[e][0])};
+      edge_slots_[e] = {system_.slot(complex.edges[e][0], complex.edges[e][1]),
+                        system_.slot(complex.edges[e][1], complex.edges[e][0])};
   }
 
   // The regularization (eq. 19) depends on the target lengths alone: assembled once for them.
@@ -66,8 +66,9 @@ public:
   // Sets the quadratic boundary terms at the current positions (eq. 21), each
   // times the weight of its vertex, and the pull towards the current place
   // within the surface. feet: the points of the surface closest to the vertices on it.
-  void set_boundary(const Reference_surface& surface, const Boundary_attachment& attachment, const std::vector<Foot_point>& feet,
-                    const std::vector<double>& weight, double tangential_anchor, const Positions& points)
+  void set_boundary(const Reference_surface& surface, const Boundary_attachment& attachment,
+                    const std::vector<Foot_point>& feet, const std::vector<double>& weight, double tangential_anchor,
+                    const Positions& points)
   {
     boundary_blocks_.assign(points.size(), Matrix_3::Zero());
     boundary_right_.assign(points.size(), Vector_3::Zero());
@@ -120,8 +121,8 @@ public:
     }
   }
 
-  // One global step with its penalty iterations, for the lengths, the boundary and the pull set before. worst_cosine: of all
-  // cones in eq. 27, and 0 makes eq. 16 of it. Returns the energy of eq. 25.
+  // One global step with its penalty iterations, for the lengths, the boundary and the pull set before. worst_cosine:
+  // of all cones in eq. 27, and 0 makes eq. 16 of it. Returns the energy of eq. 25.
   double minimize(const std::vector<Target_direction>& targets, double worst_cosine, Positions& points)
   {
     worst_cosine_ = worst_cosine;
@@ -180,7 +181,8 @@ private:
     for (const Edge_pair& p : pairs) {
       const int e = p.first / 2, f = p.second / 2;
       const double weight = parameters_.regularization_weight * (1.0 / degree[e] + 1.0 / degree[f]);
-      const int vertex[4] = {complex_.target(p.first), complex_.source(p.first), complex_.target(p.second), complex_.source(p.second)};
+      const int vertex[4] = {complex_.target(p.first), complex_.source(p.first), complex_.target(p.second),
+                             complex_.source(p.second)};
       const double factor[4] = {1 / lengths_[e], -1 / lengths_[e], -1 / lengths_[f], 1 / lengths_[f]};
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
@@ -210,15 +212,16 @@ private:
   void assemble(const std::vector<Target_direction>& targets, const std::vector<double>& start_length)
   {
     for_ranges(regularization_couplings_.size(), [&](std::size_t begin, std::size_t end) {
-      std::copy(regularization_couplings_.begin() + begin, regularization_couplings_.begin() + end, system_.couplings().begin() + begin);
+      std::copy(regularization_couplings_.begin() + begin, regularization_couplings_.begin() + end,
+                system_.couplings().begin() + begin);
     });
     system_.blocks = boundary_blocks_;
     constant_ = boundary_constant_ + sum_of_ranges(complex_.edges.size(), [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t e = begin; e < end; ++e)
-        sum += set_edge(e, targets, start_length[e]);
-      return sum;
-    });
+                  double sum = 0;
+                  for (std::size_t e = begin; e < end; ++e)
+                    sum += set_edge(e, targets, start_length[e]);
+                  return sum;
+                });
     for_each(system_.size(), [&](std::size_t v) {
       double& diagonal = system_.diagonal[v] = regularization_diagonal_[v];
       Vector_3& right = system_.right[v] = boundary_right_[v];
@@ -239,7 +242,8 @@ private:
         }
   }
 
-  // The terms of the cones around both directions of an edge. Returns what they add to the energy whatever the positions.
+  // The terms of the cones around both directions of an edge. Returns what they add to the energy whatever the
+  // positions.
   double set_edge(std::size_t e, const std::vector<Target_direction>& targets, double start_length)
   {
     const double length = lengths_[e], scale = normalization(static_cast<int>(e), start_length);
@@ -249,7 +253,8 @@ private:
       const int directed = 2 * static_cast<int>(e) + side;
       const double count = parameters_.cone_weight * cones_.triangles(directed).size();
       const double factor = penalty_factor(targets[directed], directed);
-      const Vector_3 pull = parameters_.cone_weight / length * cones_.normal_sum(directed) + factor / scale * targets[directed].direction;
+      const Vector_3 pull = parameters_.cone_weight / length * cones_.normal_sum(directed) +
+                            factor / scale * targets[directed].direction;
       quadratic += count / (length * length) + factor / (scale * scale);
       linear += side == 0 ? pull : Vector_3(-pull);
       constant += count + factor;
@@ -294,6 +299,6 @@ private:
   double boundary_constant_ = 0, constant_ = 0, worst_cosine_ = 0;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_GLOBAL_STEP_H

@@ -11,8 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
+namespace CGAL::Hex_mesh_optimization {
 
 namespace internal {
 
@@ -78,8 +77,8 @@ struct Rectification_parameters
 
   // Section 3.6: raise the worst cones once all are valid.
   bool maximize_minimum_quality = true;
-  double minimum_quality_step = .01;      // ϵ of eq. 26 (paper), read as cos α + ϵ
-  double sufficient_quality = .5;         // cones better than this are left alone (paper)
+  double minimum_quality_step = .01; // ϵ of eq. 26 (paper), read as cos α + ϵ
+  double sufficient_quality = .5;    // cones better than this are left alone (paper)
   std::size_t maximization_iterations = 20;
   // It ends when the minimum has not gained so much in so many iterations.
   double maximization_gain = 1e-3;
@@ -90,6 +89,6 @@ struct Rectification_parameters
 };
 
 } // namespace internal
-} } // namespace CGAL::Hex_mesh_optimization
+} // namespace CGAL::Hex_mesh_optimization
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_RECTIFICATION_PARAMETERS_H

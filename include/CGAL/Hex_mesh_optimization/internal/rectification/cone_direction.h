@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 namespace cone_direction_detail {
 
@@ -74,8 +72,8 @@ struct Cone_direction
 // minimum: the minimizers over the ball within every intersection of at most
 // three of their planes are candidates, the best feasible one is the answer.
 // O(k⁴) for k normals, k being the valence of an edge.
-inline Cone_direction cone_direction(const std::vector<Vector_3>& normals, double threshold,
-                                     double surface_weight = 0, const Vector_3& surface_normal = Vector_3::Zero())
+inline Cone_direction cone_direction(const std::vector<Vector_3>& normals, double threshold, double surface_weight = 0,
+                                     const Vector_3& surface_normal = Vector_3::Zero())
 {
   using namespace cone_direction_detail;
   const std::size_t k = normals.size();
@@ -140,6 +138,6 @@ inline Cone_direction cone_direction(const std::vector<Vector_3>& normals, doubl
   return best;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_CONE_DIRECTION_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Moves every free interior vertex to the mean of its neighbors, the others held.
 inline void harmonic_start(const Hexahedral_complex& complex, const Boundary_attachment& attachment, Positions& points)
@@ -35,6 +33,6 @@ inline void harmonic_start(const Hexahedral_complex& complex, const Boundary_att
   system.solve(points, tolerance, iterations);
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_HARMONIC_START_H

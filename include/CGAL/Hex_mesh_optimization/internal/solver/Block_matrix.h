@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Block_matrix
 {
@@ -36,18 +34,17 @@ public:
     std::uint32_t number : 31, is_transposed : 1;
   };
 
-  // couplings: for each row the others that it has a block with, in any order and as often as you like; a row has one with
-  // every row that has one with it.
-  explicit Block_matrix(const Grouped_array& couplings)
-    : diagonal(couplings.size())
-    , offsets_(couplings.size() + 1, 0)
+  // couplings: for each row the others that it has a block with, in any order and as often as you like; a row has one
+  // with every row that has one with it.
+  explicit Block_matrix(const Grouped_array& couplings) : diagonal(couplings.size()), offsets_(couplings.size() + 1, 0)
   {
     std::vector<int> row;
-    ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range, [&](std::size_t v) -> const std::vector<int>& {
-      row.assign(couplings[v].begin(), couplings[v].end());
-      row.push_back(static_cast<int>(v));
-      return row;
-    });
+    ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range,
+                                                     [&](std::size_t v) -> const std::vector<int>& {
+                                                       row.assign(couplings[v].begin(), couplings[v].end());
+                                                       row.push_back(static_cast<int>(v));
+                                                       return row;
+                                                     });
     for (std::size_t v = 0; v < size(); ++v) {
       row.clear();
       for (int u : couplings[v])
@@ -66,7 +63,8 @@ public:
   {
     for_ranges(size(), [&](std::size_t begin, std::size_t end) {
       std::fill(diagonal.begin() + begin, diagonal.begin() + end, Matrix_3::Zero());
-      std::fill(entries_.begin() + entries_of_block * offsets_[begin], entries_.begin() + entries_of_block * offsets_[end], 0.f);
+      std::fill(entries_.begin() + entries_of_block * offsets_[begin],
+                entries_.begin() + entries_of_block * offsets_[end], 0.f);
     });
   }
 
@@ -100,11 +98,12 @@ public:
       add(slot(i, j), [&](int r, int c) { return B(r, c); });
   }
 
-  // Approximates A x = b from x = 0, for x within the freedoms and up to what is orthogonal to them, until the residual has dropped by `tolerance`, in
-  // the norm of the preconditioner. That is symmetric Gauss-Seidel, A ≈ (D + L) D⁻¹ (D + Lᵀ), in the form of Eisenstat
-  // (1981): with d' = (D + Lᵀ) d, (D + L)⁻¹ A d = d + (D + L)⁻¹ Lᵀ d costs no more than A d. Rows of one color come before
-  // those of the next, so that the sweeps run in parallel and do not depend on the number of threads. Returns the
-  // iterations. The Hessian is a model: single precision is enough, and halves the traffic.
+  // Approximates A x = b from x = 0, for x within the freedoms and up to what is orthogonal to them, until the residual
+  // has dropped by `tolerance`, in the norm of the preconditioner. That is symmetric Gauss-Seidel, A ≈ (D + L) D⁻¹ (D +
+  // Lᵀ), in the form of Eisenstat (1981): with d' = (D + Lᵀ) d, (D + L)⁻¹ A d = d + (D + L)⁻¹ Lᵀ d costs no more than A
+  // d. Rows of one color come before those of the next, so that the sweeps run in parallel and do not depend on the
+  // number of threads. Returns the iterations. The Hessian is a model: single precision is enough, and halves the
+  // traffic.
   int solve(const Positions& b, const Freedoms& freedoms, double tolerance, int maximum_iterations, Positions& x) const
   {
     const std::size_t n = size();
@@ -210,13 +209,15 @@ private:
         y[v] = x;
         const float *block = entries_.data() + entries_of_block * offsets_[v], x0 = x[0], x1 = x[1], x2 = x[2];
         for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k, block += entries_of_block)
-          b[columns_[k]] -= Row(block) * x0 + Row(block + 3) * x1 + Row(block + 6) * x2; // and nonsense in the last number
+          b[columns_[k]] -= Row(block) * x0 + Row(block + 3) * x1 +
+                            Row(block + 6) * x2; // and nonsense in the last number
       }
     });
   }
 
   // Solves (D + Lᵀ) y = b, and gives Lᵀ y.
-  void solve_upper(const std::vector<Diagonal_block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y, std::vector<Vector>& Ly) const
+  void solve_upper(const std::vector<Diagonal_block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y,
+                   std::vector<Vector>& Ly) const
   {
     ranges_->for_ranges_backwards([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = end; v-- > begin;) {
@@ -234,12 +235,12 @@ private:
     });
   }
 
-  std::vector<std::size_t> offsets_; // of the blocks of each row
-  std::vector<int> columns_;         // rows that come later than their own
-  std::vector<float> entries_;       // of the blocks, row by row
+  std::vector<std::size_t> offsets_;                   // of the blocks of each row
+  std::vector<int> columns_;                           // rows that come later than their own
+  std::vector<float> entries_;                         // of the blocks, row by row
   std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H

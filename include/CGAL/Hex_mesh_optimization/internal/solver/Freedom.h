@@ -13,9 +13,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Freedom
 {
@@ -65,6 +63,6 @@ inline Freedoms all_but(const std::vector<char>& is_fixed)
   return result;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_FREEDOM_H

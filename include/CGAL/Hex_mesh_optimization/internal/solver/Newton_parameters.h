@@ -6,9 +6,7 @@
 
 // The numbers of a step of Newton's method.
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Newton_parameters
 {
@@ -20,6 +18,6 @@ struct Newton_parameters
   int line_search_steps = 12;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_PARAMETERS_H

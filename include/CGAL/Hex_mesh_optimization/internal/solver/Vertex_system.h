@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Vertex_system
 {
@@ -35,8 +33,9 @@ public:
     , right(number_of_vertices, Vector_3::Zero())
     , is_fixed(number_of_vertices, false)
   {
-    const Grouped_array of_first(number_of_vertices, couplings.size(), [&](std::size_t i) { return couplings[i][0]; },
-                                 [&](std::size_t i) { return couplings[i][1]; });
+    const Grouped_array of_first(
+      number_of_vertices, couplings.size(), [&](std::size_t i) { return couplings[i][0]; },
+      [&](std::size_t i) { return couplings[i][1]; });
     couplings.clear();
     std::vector<int> row;
     for (std::size_t v = 0; v < number_of_vertices; ++v) {
@@ -80,15 +79,17 @@ public:
     const std::size_t n = size();
     std::vector<Matrix_3> inverse(n);
     for_each(n, [&](std::size_t v) {
-      inverse[v] = is_fixed[v] || diagonal[v] <= 0 ? Matrix_3(Matrix_3::Zero())
-                                                   : Matrix_3((blocks[v] + diagonal[v] * Matrix_3::Identity()).inverse());
+      inverse[v] = is_fixed[v] || diagonal[v] <= 0
+                     ? Matrix_3(Matrix_3::Zero())
+                     : Matrix_3((blocks[v] + diagonal[v] * Matrix_3::Identity()).inverse());
     });
     double scale = 0;
     for (std::size_t v = 0; v < n; ++v)
       // positions are of the order of the number of edges across; what must be
       // resolved is a fraction of one edge, whose length is the unit
       scale += is_fixed[v] ? 0 : diagonal[v];
-    return conjugate_gradients(Preconditioned{*this, inverse}, right, {tolerance * tolerance * scale, maximum_iterations}, x);
+    return conjugate_gradients(Preconditioned{*this, inverse}, right,
+                               {tolerance * tolerance * scale, maximum_iterations}, x);
   }
 
   // xᵀAx − 2bᵀx
@@ -136,6 +137,6 @@ public:
   std::vector<char> is_fixed; // rows whose position is given
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_VERTEX_SYSTEM_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Conjugate_gradients_parameters
 {
@@ -34,8 +32,8 @@ inline double inner_product(const Vector_3& a, const Vector_3& b) { return a.dot
 //   is_fixed(i): whether x keeps row i, whatever it is; M⁻¹ is zero there.
 // Returns the iterations.
 template <class System, class Value>
-int conjugate_gradients(const System& system, const std::vector<Value>& right, const Conjugate_gradients_parameters& parameters,
-                        std::vector<Value>& x)
+int conjugate_gradients(const System& system, const std::vector<Value>& right,
+                        const Conjugate_gradients_parameters& parameters, std::vector<Value>& x)
 {
   const std::size_t n = x.size();
   std::vector<Value> r(n), z(n), d(n), Ad(n);
@@ -50,35 +48,42 @@ int conjugate_gradients(const System& system, const std::vector<Value>& right, c
   int iteration = 0;
   for (; iteration < parameters.maximum_iterations && rz > parameters.residual; ++iteration) {
     system.multiply(d, Ad);
-    const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i)
-        if (!system.is_fixed(i))
-          sum += inner_product(d[i], Ad[i]);
-      return sum;
-    }, parameters.grain);
+    const double dAd = sum_of_ranges(
+      n,
+      [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i)
+          if (!system.is_fixed(i))
+            sum += inner_product(d[i], Ad[i]);
+        return sum;
+      },
+      parameters.grain);
     if (!(dAd > 0))
       break;
     const double step = rz / dAd;
-    const double next = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        if (system.is_fixed(i))
-          continue;
-        x[i] += step * d[i];
-        r[i] -= step * Ad[i];
-        z[i] = system.precondition(i, r[i]);
-        sum += inner_product(r[i], z[i]);
-      }
-      return sum;
-    }, parameters.grain);
+    const double next = sum_of_ranges(
+      n,
+      [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          if (system.is_fixed(i))
+            continue;
+          x[i] += step * d[i];
+          r[i] -= step * Ad[i];
+          z[i] = system.precondition(i, r[i]);
+          sum += inner_product(r[i], z[i]);
+        }
+        return sum;
+      },
+      parameters.grain);
     const double ratio = next / rz;
-    for_each(n, [&](std::size_t i) { d[i] = z[i] + ratio * d[i]; }, parameters.grain);
+    for_each(
+      n, [&](std::size_t i) { d[i] = z[i] + ratio * d[i]; }, parameters.grain);
     rz = next;
   }
   return iteration;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_CONJUGATE_GRADIENTS_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // An energy is a class with
 //   double value(const Positions& points) const,
@@ -25,11 +23,11 @@ namespace internal {
 //   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
 //     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
 //
-// Moves the points, each within its freedom. restrict_step(direction) may shorten the steps of single points; retract(points)
-// takes those that slide on something curved back onto it. Returns the energy reached.
+// Moves the points, each within its freedom. restrict_step(direction) may shorten the steps of single points;
+// retract(points) takes those that slide on something curved back onto it. Returns the energy reached.
 template <class Energy, class Restrict, class Retract>
-double newton_step(const Energy& energy, const Freedoms& freedoms, const Restrict& restrict_step, const Retract& retract,
-                   const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
+double newton_step(const Energy& energy, const Freedoms& freedoms, const Restrict& restrict_step,
+                   const Retract& retract, const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
@@ -58,6 +56,6 @@ double newton_step(const Energy& energy, const Freedoms& freedoms, const Restric
   return start;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_NEWTON_STEP_H

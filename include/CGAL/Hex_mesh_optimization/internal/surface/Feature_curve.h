@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Curve_point
 {
@@ -78,12 +76,12 @@ public:
   double length = 0;
 
 private:
-  Vector_3 place_; // of its first vertex
+  Vector_3 place_;                                // of its first vertex
   std::vector<aabb::Kernel::Segment_3> segments_; // without those of no length
   std::vector<std::array<Vector_3, 2>> tangents_; // at both ends of each
   CGAL::AABB_tree<aabb::Segment_traits> tree_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_CURVE_H

@@ -23,17 +23,15 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Traces maximal curves of a graph of sharp edges, split at every vertex that is
 // not simply passed. `keep_all`: the edges were named by the user, none is noise.
 class Feature_curve_tracer
 {
 public:
-  Feature_curve_tracer(const Positions& points, const std::vector<Triangle_indices>& triangles, Edge_list sharp, bool keep_all,
-                       const Feature_parameters& parameters)
+  Feature_curve_tracer(const Positions& points, const std::vector<Triangle_indices>& triangles, Edge_list sharp,
+                       bool keep_all, const Feature_parameters& parameters)
     : points_(points)
     , edges_(std::move(sharp))
     , cos_corner_(std::cos(parameters.corner_turn * CGAL_PI / 180))
@@ -65,11 +63,16 @@ private:
   {
     if (incident_[v].size() != 2)
       return false;
-    const Vector_3 in = points_[v] - points_[other(incident_[v][0], v)], out = points_[other(incident_[v][1], v)] - points_[v];
-    return makes_no_corner(in, out) || makes_no_corner(points_[v] - ahead(v, incident_[v][0]), ahead(v, incident_[v][1]) - points_[v]);
+    const Vector_3 in = points_[v] - points_[other(incident_[v][0], v)],
+                   out = points_[other(incident_[v][1], v)] - points_[v];
+    return makes_no_corner(in, out) ||
+           makes_no_corner(points_[v] - ahead(v, incident_[v][0]), ahead(v, incident_[v][1]) - points_[v]);
   }
 
-  bool makes_no_corner(const Vector_3& in, const Vector_3& out) const { return in.dot(out) >= cos_corner_ * in.norm() * out.norm(); }
+  bool makes_no_corner(const Vector_3& in, const Vector_3& out) const
+  {
+    return in.dot(out) >= cos_corner_ * in.norm() * out.norm();
+  }
 
   // Where the chain that leaves v by an edge has gone the length over which turns are measured, or ends.
   const Vector_3& ahead(int v, int edge) const
@@ -87,8 +90,9 @@ private:
 
   void trace()
   {
-    incident_ = Grouped_array(points_.size(), 2 * edges_.size(), [this](std::size_t k) { return edges_[k / 2][k % 2]; },
-                              [](std::size_t k) { return static_cast<int>(k / 2); });
+    incident_ = Grouped_array(
+      points_.size(), 2 * edges_.size(), [this](std::size_t k) { return edges_[k / 2][k % 2]; },
+      [](std::size_t k) { return static_cast<int>(k / 2); });
     curves_.clear();
     curve_edges_.clear();
     std::vector<char> done(edges_.size(), false);
@@ -124,7 +128,8 @@ private:
       e = Triangle_adjacency::ordered(e);
     std::sort(barriers.begin(), barriers.end());
     Surface_patches patches(points_, triangles, adjacency, barriers);
-    const double least_area = (std::min)(parameters.least_patch_area, parameters.least_patch_part * patches.total_area());
+    const double least_area = (std::min)(parameters.least_patch_area,
+                                         parameters.least_patch_part * patches.total_area());
     std::vector<char> drop(edges_.size(), false);
     bool any = false;
     for (const std::vector<int>& curve : curve_edges_) {
@@ -154,6 +159,6 @@ private:
   std::vector<std::vector<int>> curves_, curve_edges_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_CURVE_TRACER_H

@@ -6,9 +6,7 @@
 
 // What of the sharp edges of a surface is a feature.
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Feature_parameters
 {
@@ -17,16 +15,17 @@ struct Feature_parameters
   double angle_bound = 45;
   // A curve turning by more than this at a vertex has a corner there, in degrees.
   double corner_turn = 60;
-  // The turn has to be there when it is measured over so many mean boundary edges too: a jagged curve zigzags, it has no corners.
+  // The turn has to be there when it is measured over so many mean boundary edges too: a jagged curve zigzags, it has
+  // no corners.
   double turn_length = 2.5;
-  // A feature separates two patches of the surface. Curves that do not, with the same patch on either side, are features
-  // only from this length on, and patches smaller than the area are none; in units of mean boundary edges.
+  // A feature separates two patches of the surface. Curves that do not, with the same patch on either side, are
+  // features only from this length on, and patches smaller than the area are none; in units of mean boundary edges.
   double persistence = 15;
   double least_patch_area = 6;
   // Nor is a patch smaller than this part of the whole surface required: coarse meshes have patches of few faces.
   double least_patch_part = .02;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_PARAMETERS_H

@@ -21,22 +21,21 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Nearby_triangles
 {
 public:
-  // What moves by no more than this keeps its list; in mean boundary edges. From one search to the next four points of five
-  // do, while a list has no more than some ten triangles.
+  // What moves by no more than this keeps its list; in mean boundary edges. From one search to the next four points of
+  // five do, while a list has no more than some ten triangles.
   static constexpr double margin = .1;
 
   // Forgets all lists. points: how many ask.
   void reset(std::size_t points) { lists_.assign(points, List()); }
 
-  // The closest of the triangles listed for point i, which now is at p, without its normal. The triangles may have moved by as
-  // much as `moved` since the list was made, to triangle_points. Nothing if another triangle could be closer.
+  // The closest of the triangles listed for point i, which now is at p, without its normal. The triangles may have
+  // moved by as much as `moved` since the list was made, to triangle_points. Nothing if another triangle could be
+  // closer.
   std::optional<Surface_point> closest(std::size_t i, const Vector_3& p, const Positions& triangle_points,
                                        const std::vector<Triangle_indices>& triangles, double moved) const
   {
@@ -58,8 +57,8 @@ public:
     return best;
   }
 
-  // Lists the triangles of a surface that are close to p. distance: about that of the closest. False if there are so many
-  // that a tree is faster; it stays so until reset.
+  // Lists the triangles of a surface that are close to p. distance: about that of the closest. False if there are so
+  // many that a tree is faster; it stays so until reset.
   bool list(std::size_t i, const Vector_3& p, double distance, const Triangle_surface& surface)
   {
     List& list = lists_[i];
@@ -87,13 +86,14 @@ public:
     return false;
   }
 
-  // As above, but lists the triangles anew where that is needed; nothing if there are too many. before: one of them, at best
-  // that which was the closest to where the point came from.
-  std::optional<Surface_point> closest(std::size_t i, const Vector_3& p, std::size_t before, const Positions& triangle_points,
-                                       const Triangle_surface& surface, double moved)
+  // As above, but lists the triangles anew where that is needed; nothing if there are too many. before: one of them, at
+  // best that which was the closest to where the point came from.
+  std::optional<Surface_point> closest(std::size_t i, const Vector_3& p, std::size_t before,
+                                       const Positions& triangle_points, const Triangle_surface& surface, double moved)
   {
     std::optional<Surface_point> q = closest(i, p, triangle_points, surface.triangles, moved);
-    if (!q && list(i, p, (closest_point_of_triangle(p, before, triangle_points, surface.triangles).point - p).norm(), surface))
+    if (!q && list(i, p, (closest_point_of_triangle(p, before, triangle_points, surface.triangles).point - p).norm(),
+                   surface))
       q = closest(i, p, triangle_points, surface.triangles, moved);
     return q;
   }
@@ -113,6 +113,6 @@ private:
   std::vector<List> lists_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_NEARBY_TRIANGLES_H

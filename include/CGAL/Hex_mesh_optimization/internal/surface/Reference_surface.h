@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // The point of the reference closest to a vertex.
 struct Foot_point : Surface_point
@@ -43,11 +41,15 @@ public:
   // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise.
   Reference_surface(Positions points, std::vector<Triangle_indices> triangles, Edge_list sharp, bool keep_all,
                     const Feature_parameters& parameters)
-    : Reference_surface(points, std::move(triangles), Feature_curve_tracer(points, triangles, std::move(sharp), keep_all, parameters))
+    : Reference_surface(points, std::move(triangles),
+                        Feature_curve_tracer(points, triangles, std::move(sharp), keep_all, parameters))
   {}
 
   // At a point of a triangle that is not degenerate, given by barycentric coordinates.
-  Vector_3 normal(std::size_t triangle, const std::array<double, 3>& coordinates) const { return normals_.at(triangle, coordinates); }
+  Vector_3 normal(std::size_t triangle, const std::array<double, 3>& coordinates) const
+  {
+    return normals_.at(triangle, coordinates);
+  }
 
   // hint: as for closest_point()
   Foot_point foot_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint) const
@@ -67,7 +69,8 @@ public:
 
 private:
   // features: of the points and triangles
-  Reference_surface(const Positions& points, std::vector<Triangle_indices>&& triangles, const Feature_curve_tracer& features)
+  Reference_surface(const Positions& points, std::vector<Triangle_indices>&& triangles,
+                    const Feature_curve_tracer& features)
     : Triangle_surface(points, std::move(triangles))
     , curves(curves_through(features.curves(), points))
     , corners(features.corners())
@@ -83,7 +86,8 @@ private:
     return result;
   }
 
-  static std::vector<std::unique_ptr<const Feature_curve>> curves_through(const std::vector<std::vector<int>>& curves, const Positions& points)
+  static std::vector<std::unique_ptr<const Feature_curve>> curves_through(const std::vector<std::vector<int>>& curves,
+                                                                          const Positions& points)
   {
     std::vector<std::unique_ptr<const Feature_curve>> result;
     for (const std::vector<int>& vertices : curves)
@@ -106,6 +110,6 @@ private:
   const Smooth_normals normals_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_REFERENCE_SURFACE_H

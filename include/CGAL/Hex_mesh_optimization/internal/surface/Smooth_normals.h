@@ -18,9 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Averages over the triangles around each vertex, weighted by their angles, but not across the barriers. A point on an
 // edge or a vertex then has one normal, whichever of the triangles around it a search returns.
@@ -44,7 +42,8 @@ public:
       if (!(normal.norm() > 0))
         continue;
       for (int k = 0; k < 3; ++k) {
-        const Vector_3 &p = surface.corner(t, k), a = surface.corner(t, (k + 1) % 3) - p, b = surface.corner(t, (k + 2) % 3) - p;
+        const Vector_3 &p = surface.corner(t, k), a = surface.corner(t, (k + 1) % 3) - p,
+                       b = surface.corner(t, (k + 2) % 3) - p;
         sums[group.find(3 * t + k)] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal.normalized();
       }
     }
@@ -86,6 +85,6 @@ private:
   Positions normals_; // at the corners of triangles
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SMOOTH_NORMALS_H

@@ -16,17 +16,15 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Surface_patches
 {
 public:
   // barriers: sorted, the smaller index first
   // The adjacency must outlive the object.
-  Surface_patches(const Positions& points, const std::vector<Triangle_indices>& triangles, const Triangle_adjacency& adjacency,
-                  const Edge_list& barriers)
+  Surface_patches(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                  const Triangle_adjacency& adjacency, const Edge_list& barriers)
     : adjacency_(adjacency)
     , patches_(triangles.size())
     , area_(triangles.size(), 0.0)
@@ -67,6 +65,6 @@ private:
   std::vector<double> area_; // of each patch, at its least triangle
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_PATCHES_H

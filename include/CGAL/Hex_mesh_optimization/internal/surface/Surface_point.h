@@ -11,9 +11,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Surface_point
 {
@@ -25,6 +23,6 @@ struct Surface_point
   std::size_t hint = no_hint; // for a search nearby
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_POINT_H

@@ -15,9 +15,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 class Triangle_adjacency
 {
@@ -76,7 +74,8 @@ public:
   {
     const Side wanted{ordered(edge), 0, 0};
     const Side* const first = std::lower_bound(sides_.data(), sides_.data() + sides_.size(), wanted);
-    return first != sides_.data() + sides_.size() && first->edge == wanted.edge ? Sides{first, end_of_edge(first)} : Sides{first, first};
+    return first != sides_.data() + sides_.size() && first->edge == wanted.edge ? Sides{first, end_of_edge(first)}
+                                                                                : Sides{first, first};
   }
 
 private:
@@ -92,6 +91,6 @@ private:
   std::vector<Side> sides_; // sorted
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_ADJACENCY_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Not copyable: the tree points into the triangles.
 class Triangle_surface
@@ -46,7 +44,10 @@ public:
   Triangle_surface(const Triangle_surface&) = delete;
   Triangle_surface& operator=(const Triangle_surface&) = delete;
 
-  static bool has_area(const Positions& points, const Triangle_indices& t) { return triangle(points, t).squared_area() > 0; }
+  static bool has_area(const Positions& points, const Triangle_indices& t)
+  {
+    return triangle(points, t).squared_area() > 0;
+  }
 
   // Whether no triangle has an area.
   bool is_empty() const { return soup_.empty(); }
@@ -56,9 +57,10 @@ public:
   Surface_point closest_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint) const
   {
     const aabb::Kernel::Point_3 q = aabb::point(query);
-    const auto found = hint < soup_.size()
-                         ? tree_.closest_point_and_primitive(q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q), soup_.begin() + hint})
-                         : tree_.closest_point_and_primitive(q);
+    const auto found = hint < soup_.size() ? tree_.closest_point_and_primitive(
+                                               q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q),
+                                                   soup_.begin() + hint})
+                                           : tree_.closest_point_and_primitive(q);
     return surface_point(found);
   }
 
@@ -114,6 +116,6 @@ private:
   CGAL::AABB_tree<aabb::Triangle_traits> tree_;
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H

@@ -25,9 +25,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 namespace aabb {
 
@@ -54,14 +52,20 @@ struct Box_traversal
   bool go_further() const { return true; }
 
   template <class Primitive>
-  void intersection(const CGAL::Bbox_3&, const Primitive& primitive) const { visit(primitive.id()); }
+  void intersection(const CGAL::Bbox_3&, const Primitive& primitive) const
+  {
+    visit(primitive.id());
+  }
 
   template <class Node>
-  bool do_intersect(const CGAL::Bbox_3& box, const Node& node) const { return CGAL::do_overlap(box, node.bbox()); }
+  bool do_intersect(const CGAL::Bbox_3& box, const Node& node) const
+  {
+    return CGAL::do_overlap(box, node.bbox());
+  }
 };
 
 } // namespace aabb
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_AABB_H

@@ -16,13 +16,12 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 // Barycentric coordinates of the point of a triangle closest to p; the triangle may be degenerate. By the Voronoi
 // regions of its vertices and edges: C. Ericson, Real-Time Collision Detection (2005), section 5.1.5.
-inline std::array<double, 3> closest_point_of_triangle(const Vector_3& p, const Vector_3& a, const Vector_3& b, const Vector_3& c)
+inline std::array<double, 3> closest_point_of_triangle(const Vector_3& p, const Vector_3& a, const Vector_3& b,
+                                                       const Vector_3& c)
 {
   const Vector_3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -54,7 +53,8 @@ inline std::array<double, 3> closest_point_of_triangle(const Vector_3& p, const 
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const Vector_3 &from = corners[k], edge = corners[(k + 1) % 3] - from;
-    const double square = edge.squaredNorm(), t = square > 0 ? (std::max)(0.0, (std::min)(1.0, edge.dot(p - from) / square)) : 0.0;
+    const double square = edge.squaredNorm(),
+                 t = square > 0 ? (std::max)(0.0, (std::min)(1.0, edge.dot(p - from) / square)) : 0.0;
     const double distance = (from + t * edge - p).squaredNorm();
     if (distance < least) {
       least = distance;
@@ -69,11 +69,12 @@ inline std::array<double, 3> closest_point_of_triangle(const Vector_3& p, const 
 inline Surface_point closest_point_of_triangle(const Vector_3& p, std::size_t triangle, const Positions& points,
                                                const std::vector<Triangle_indices>& triangles)
 {
-  const Vector_3 &a = points[triangles[triangle][0]], &b = points[triangles[triangle][1]], &c = points[triangles[triangle][2]];
+  const Vector_3 &a = points[triangles[triangle][0]], &b = points[triangles[triangle][1]],
+                 &c = points[triangles[triangle][2]];
   const std::array<double, 3> w = closest_point_of_triangle(p, a, b, c);
   return {w[0] * a + w[1] * b + w[2] * c, w, triangle, Surface_point::no_hint};
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_CLOSEST_POINT_OF_TRIANGLE_H

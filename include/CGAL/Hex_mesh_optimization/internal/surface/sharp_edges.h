@@ -16,12 +16,12 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
-// The edges whose triangles deviate from flat by more than the bound, in degrees, and those with one triangle or more than two.
-inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles, double angle_bound)
+// The edges whose triangles deviate from flat by more than the bound, in degrees, and those with one triangle or more
+// than two.
+inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                             double angle_bound)
 {
   const auto normal = [&](int t) {
     const Vector_3& a = points[triangles[t][0]];
@@ -41,6 +41,6 @@ inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle
   return sharp;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SHARP_EDGES_H

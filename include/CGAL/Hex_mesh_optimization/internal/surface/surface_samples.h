@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Surface_sample
 {
@@ -27,7 +25,8 @@ struct Surface_sample
 
 // How many times a surface is larger than could be said to be of the size of the mesh, at least 1.
 // In units of the mean edge of the boundary.
-inline double oversize(const Positions& points, const std::vector<Triangle_indices>& triangles, std::size_t number_of_boundary_faces)
+inline double oversize(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                       std::size_t number_of_boundary_faces)
 {
   const double largest_area = 4; // for each face of the boundary, where 1 is about what there is
   double area = 0;
@@ -38,7 +37,8 @@ inline double oversize(const Positions& points, const std::vector<Triangle_indic
 
 // The vertices, and in every triangle the centers of a lattice of n² equal parts with edges of about the given length;
 // the number of samples of an oversized surface is in proportion to the mesh, not to the surface.
-inline std::vector<Surface_sample> spread_samples(const Positions& points, const std::vector<Triangle_indices>& triangles,
+inline std::vector<Surface_sample> spread_samples(const Positions& points,
+                                                  const std::vector<Triangle_indices>& triangles,
                                                   std::size_t number_of_boundary_faces, double spacing)
 {
   const double most_parts = 64; // a triangle this many times longer than the spacing is sampled more coarsely
@@ -68,6 +68,6 @@ inline std::vector<Surface_sample> spread_samples(const Positions& points, const
   return samples;
 }
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SURFACE_SAMPLES_H

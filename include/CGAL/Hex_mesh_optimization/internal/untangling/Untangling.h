@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Hex_mesh_optimization {
-namespace internal {
+namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Untangling_parameters
 {
@@ -44,7 +42,8 @@ struct Untangling_parameters
   double regularization = .04;
   // Factor of the weights of the attachment.
   double tightness = .02;
-  // It ends when no corner is below this: from nearly inverted ones, the maximization of quality climbs slowly, if at all.
+  // It ends when no corner is below this: from nearly inverted ones, the maximization of quality climbs slowly, if at
+  // all.
   double untangled = .02;
   // Only vertices so many hexahedra around an inverted one move; twice as many after so many iterations without a
   // hexahedron less that is inverted. After so many it gives up, and after the former number where none is left.
@@ -58,8 +57,8 @@ struct Untangling_parameters
 class Untangling
 {
 public:
-  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. distance: of the samples. All but
-  // the numbers must outlive the object.
+  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. distance: of the samples.
+  // All but the numbers must outlive the object.
   Untangling(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
              const std::vector<double>& lengths, const Sliding& sliding, const Untangling_parameters& parameters)
     : complex_(complex)
@@ -74,8 +73,8 @@ public:
     boundary_.tightness = parameters.tightness;
   }
 
-  // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and the
-  // best worst one if none is inverted. Does nothing if none is.
+  // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and
+  // the best worst one if none is inverted. Does nothing if none is.
   Stage_end run(Positions& points, Run_control& control)
   {
     Mesh_quality quality(complex_, points);
@@ -84,15 +83,17 @@ public:
     Best_state best(points, quality, 1, 0);
     std::size_t since = 0, rings = parameters_.rings;
     const auto is_done = [&] {
-      return best.inverted() == 0 && (best.highest_minimum() >= parameters_.untangled || since >= parameters_.widening_patience);
+      return best.inverted() == 0 &&
+             (best.highest_minimum() >= parameters_.untangled || since >= parameters_.widening_patience);
     };
     for (std::size_t i = 0; !is_done() && since < parameters_.patience && !control.is_stopped(); ++i) {
       activate(quality, rings);
       const double lowest = (std::min)(hexahedra_.lowest_determinant(points), 0.0);
       hexahedra_.set_regularization(parameters_.least_regularization + parameters_.regularization * (lowest * lowest));
       samples_.update(points, boundary_.tightness);
-      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), freedoms(points), [](Positions&) {},
-                                        [this](Positions& p) { sliding_.retract(p); }, parameters_.newton, matrix_, points);
+      const double energy = newton_step(
+        Sum_of_energies(hexahedra_, boundary_), freedoms(points), [](Positions&) {},
+        [this](Positions& p) { sliding_.retract(p); }, parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       ++since;
       const std::size_t fewest = best.inverted();
@@ -156,6 +157,6 @@ private:
   std::vector<char> is_passive_; // vertices far from all that is inverted
 };
 
-} } } // namespace CGAL::Hex_mesh_optimization::internal
+} // namespace CGAL::Hex_mesh_optimization::internal
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_UNTANGLING_UNTANGLING_H
