@@ -67,8 +67,8 @@ struct Attached_mesh
 
   Boundary_samples samples() const
   {
-    return Boundary_samples(complex, boundary_surface_faces(complex), *surface, attachment, lengths, maximum_deviation,
-                            boundary.samples);
+    return Boundary_samples(complex, boundary_surface_faces(complex), *surface, attachment, lengths, false,
+                            maximum_deviation, boundary.samples);
   }
 
   using Placement = CGAL::Hex_mesh_optimization::Boundary_placement;

@@ -7,6 +7,7 @@
 // Stress tests: tangles a hexahedral mesh reproducibly, without touching its
 // connectivity.
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Kernel_traits.h>
@@ -193,7 +194,7 @@ void scramble_interior(PointRange& points, const HexahedronRange& hexahedra, std
  */
 template <class PointRange, class HexahedronRange>
 void rotate_hexahedra(PointRange& points, const HexahedronRange& hexahedra, std::uint64_t seed, double fraction,
-                      double maximum_angle = 3.14159265358979323846)
+                      double maximum_angle = CGAL_PI)
 {
   using Point = typename PointRange::value_type;
   using Vector = typename Kernel_traits<Point>::Kernel::Vector_3;

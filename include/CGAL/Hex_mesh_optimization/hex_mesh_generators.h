@@ -7,6 +7,7 @@
 // Hexahedral meshes of simple solids, at any refinement, for tests, examples
 // and benchmarks.
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 namespace CGAL::Hex_mesh_optimization {
 namespace internal {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = CGAL_PI;
 
 // The name of a node of a block-structured mesh: a layer and three lattice
 // coordinates. Blocks share a node by giving it the same name, so that no

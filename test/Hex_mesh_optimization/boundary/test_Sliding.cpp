@@ -165,32 +165,30 @@ struct Block_with_turns
   }
 };
 
-TEST(Sliding, releases_turns)
+TEST(Sliding, holds_turns_where_all_is_exact_only)
 {
   const Block_with_turns s;
-  Sliding sliding(*s.surface, s.attachment, Boundary_placement::WITHIN_TOLERANCE, s.mesh.points);
+  const Sliding sliding(*s.surface, s.attachment, Boundary_placement::WITHIN_TOLERANCE, s.mesh.points);
+  const Sliding exact(*s.surface, s.attachment, Boundary_placement::ON_SURFACE, s.mesh.points);
   int turns = 0;
   for (std::size_t v = 0; v < s.mesh.points.size(); ++v) {
     const bool is_turn = s.attachment.kind[v] == Vertex_kind::CORNER;
     if (is_turn) {
       EXPECT_EQ(s.attachment.corner_rank[v], Corner_rank::TURN);
-      EXPECT_TRUE(sliding.is_at_rest(v));
     }
-    EXPECT_EQ(sliding.release_turn(static_cast<int>(v)), is_turn) << v;
-    EXPECT_FALSE(sliding.release_turn(static_cast<int>(v))) << "it is free already";
-    EXPECT_FALSE(sliding.is_at_rest(v));
+    EXPECT_FALSE(sliding.is_at_rest(v)) << v;
+    EXPECT_EQ(exact.is_at_rest(v), is_turn) << v;
     turns += is_turn;
   }
   EXPECT_EQ(turns, 4);
 }
 
-TEST(Sliding, releases_no_corner_where_curves_meet)
+TEST(Sliding, holds_corners_where_curves_meet)
 {
   const Attached_mesh s(mesh_families()[0]());
-  Sliding sliding = s.sliding();
+  const Sliding sliding = s.sliding();
   int junctions = 0;
   for (std::size_t v = 0; v < s.points.size(); ++v) {
-    EXPECT_FALSE(sliding.release_turn(static_cast<int>(v)));
     if (s.attachment.kind[v] == Vertex_kind::CORNER) {
       EXPECT_EQ(s.attachment.corner_rank[v], Corner_rank::JUNCTION);
       EXPECT_TRUE(sliding.is_at_rest(v));

@@ -7,6 +7,7 @@
 // Upper bounds of the scaled Jacobian that follow from connectivity alone: from
 // how many hexahedra or faces share the angle around an edge or a vertex.
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/Hex_mesh_optimization/Connectivity_limit.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
@@ -29,7 +30,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // at most the sine of the mean angle, as the sine is concave. With n ≤ half_turns, some angle is 180° or more.
 inline double largest_sine(int half_turns, int n)
 {
-  return n <= half_turns ? 0 : std::sin(3.14159265358979323846 * half_turns / n);
+  return n <= half_turns ? 0 : std::sin(CGAL_PI * half_turns / n);
 }
 
 // The largest determinant of three unit vectors that span a solid angle. While two of them and the solid angle are
@@ -39,10 +40,9 @@ inline double largest_sine(int half_turns, int n)
 // to the solid angle plus 180°.
 inline double largest_determinant(double solid_angle)
 {
-  const double pi = 3.14159265358979323846;
-  if (solid_angle >= 2 * pi)
+  if (solid_angle >= 2 * CGAL_PI)
     return 0;
-  const double cos_a = std::cos((solid_angle + pi) / 3), c = cos_a / (1 - cos_a);
+  const double cos_a = std::cos((solid_angle + CGAL_PI) / 3), c = cos_a / (1 - cos_a);
   return (1 - c) * std::sqrt((std::max)(0.0, 1 + 2 * c));
 }
 
@@ -128,7 +128,7 @@ private:
     if (hexahedra.size() != 8)
       for (int h : hexahedra)
         limit(h, Connectivity_limit_reason::INTERIOR_VERTEX,
-              largest_determinant(4 * 3.14159265358979323846 / double(hexahedra.size())));
+              largest_determinant(4 * CGAL_PI / double(hexahedra.size())));
   }
 
   // The angles of the faces in the tangent plane sum up to 360°. Hexahedra without a face in it are not concerned.
