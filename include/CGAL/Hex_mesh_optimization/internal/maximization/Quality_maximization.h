@@ -73,7 +73,7 @@ public:
     double excess = samples_.excess(points), least_excess = std::numeric_limits<double>::infinity();
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
-    bool tightens = false, used_up = false; // the iterations of a phase
+    bool tightens = false, recovers = false, used_up = false; // the iterations of a phase
     std::size_t waited = 0, settled = 0;
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
@@ -124,8 +124,9 @@ public:
       const bool is_outside = (samples_.is_bounded() && excess > 0) || sliding_.are_some_away();
       if (boundary_.tightness == 1) {
         if (!is_outside) {
-          if (std::isfinite(least_excess))
-            settled = 0; // what has yielded now recovers
+          if (std::isfinite(least_excess) && !recovers)
+            settled = 0; // what has yielded now recovers, once: else it could go back and forth for ever
+          recovers = recovers || std::isfinite(least_excess);
           least_excess = std::numeric_limits<double>::infinity();
           floor_.yield(parameters_.recovery);
         }
