@@ -213,7 +213,7 @@ TEST_F(Program, tells_that_a_bound_of_the_deviation_is_not_met)
     << text("stderr");
   EXPECT_TRUE(exists("out.mesh"));
   EXPECT_TRUE(contains(text("stdout"), "THE BOUND OF THE DEVIATION IS NOT MET"));
-  EXPECT_TRUE(contains(text("stdout"), "the bound of the deviation could not be met"));
+  EXPECT_TRUE(contains(text("stdout"), "the boundary is not shown to be as close to the reference as asked for"));
   const nlohmann::json status = json("out.json")["status"];
   EXPECT_EQ(status["return_code"], "DEVIATION_BOUND_NOT_MET");
   EXPECT_EQ(status["valid_mesh"], true);
