@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -257,6 +259,18 @@ HMO::Status in_threads(int number, const Work& work)
 #endif
 }
 
+// The labels of a file, renumbered from 0 in their order, so that they fit into any integer.
+std::vector<int> numbered(const std::vector<std::int64_t>& labels)
+{
+  std::vector<std::int64_t> values(labels);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  std::vector<int> result;
+  for (std::int64_t l : labels)
+    result.push_back(static_cast<int>(std::lower_bound(values.begin(), values.end(), l) - values.begin()));
+  return result;
+}
+
 HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
 {
   std::signal(SIGINT, interrupt);
@@ -265,7 +279,10 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
     frozen = read_vertices(o.frozen, mesh.points.size());
+  const std::vector<int> labels = numbered(mesh.attachments.hexahedron_labels);
   const auto np = CGAL::parameters::features_angle_bound(o.features_angle)
+                    .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
+                      [&](std::size_t h) { return labels.empty() ? 0 : labels[h]; }))
                     .fixed_boundary(o.fixed_boundary)
                     .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE
                                                      : HMO::Boundary_placement::WITHIN_TOLERANCE)

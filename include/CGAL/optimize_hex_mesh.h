@@ -86,7 +86,7 @@ Positions engine_positions(const PointRange& points)
 
 // point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
 template <class ConcurrencyTag, class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
-Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys,
+Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys, const Regions& regions,
                 const Reference_input* reference, const NamedParameters& np, PointOf point)
 {
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
@@ -98,7 +98,7 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
   Positions after = before;
   Optimization_parameters parameters = optimization_parameters(np, keys);
   parameters.is_parallel = is_parallel;
-  Status status = run_engine(after, engine_hexahedra(hexahedra), reference, frozen_vertices(np, keys), parameters);
+  Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, frozen_vertices(np, keys), parameters);
   // points may allocate memory: all of them are made before the first is assigned
   using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   std::vector<std::pair<std::size_t, Point>> moved;
@@ -116,8 +116,10 @@ Status optimize_ranges(PointRange& points, const HexahedronRange& hexahedra, con
 {
   std::vector<std::size_t> keys(points.size());
   std::iota(keys.begin(), keys.end(), std::size_t(0));
+  std::vector<std::size_t> indices(hexahedra.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
   return optimize<ConcurrencyTag>(
-    points, hexahedra, keys, reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
+    points, hexahedra, keys, regions(np, indices), reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
 }
 
 template <class ConcurrencyTag, class LCC, class NamedParameters>
@@ -127,8 +129,14 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
   std::vector<std::array<std::size_t, 8>> hexahedra;
   std::vector<typename Linear_cell_complex_types<LCC>::Vertex> vertices;
   linear_cell_complex_to_hexahedra(lcc, points, hexahedra, vertices);
+  std::vector<typename Linear_cell_complex_types<LCC>::Dart> darts;
+  if constexpr (is_given<NamedParameters, internal_np::hexahedron_label_map_t>) {
+    const Hexahedra_of_linear_cell_complex<LCC> volumes(lcc);
+    for (std::size_t h = 0; h < volumes.size(); ++h)
+      darts.push_back(volumes.corners(h)[0]);
+  }
   return optimize<ConcurrencyTag>(
-    points, hexahedra, vertices, reference,
+    points, hexahedra, vertices, regions(np, darts), reference,
     np, [&](std::size_t v) -> auto& { return lcc.point_of_vertex_attribute(vertices[v]); });
 }
 

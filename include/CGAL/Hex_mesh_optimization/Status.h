@@ -11,11 +11,34 @@
 #include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * The volume of all hexahedra with one label.
+ */
+struct Region_volume
+{
+  int label;
+  double before; ///< Of the mesh that came in; as trilinear maps, where they fold with their signs.
+  double after;  ///< Of the mesh as it is now.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ * What became of the faces between the hexahedra of two labels, or of the internal faces within one.
+ */
+struct Interface_statistics
+{
+  std::array<int, 2> labels; ///< In increasing order.
+  std::size_t number_of_faces;
+  Deviation deviation; ///< Two-sided, from where the faces were.
+};
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
@@ -27,7 +50,10 @@ struct Status
 
   Quality_statistics before; ///< Of the mesh that came in.
   Quality_statistics after;  ///< Of the mesh as it is now.
-  Deviation deviation;       ///< Of the mesh as it is now.
+  Deviation deviation;       ///< Of the mesh as it is now; of its interfaces too.
+
+  std::vector<Region_volume> regions;           ///< One for each label, in increasing order.
+  std::vector<Interface_statistics> interfaces; ///< One for each pair of labels that has one, in increasing order.
 
   double volume_before =
     0; ///< Of all hexahedra of the mesh that came in, as trilinear maps; where they fold, with their signs.

@@ -9,24 +9,25 @@
 
 #include <CGAL/version.h>
 
+// clang-format off
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_NO_NAMED_PARAMETERS
 #if CGAL_VERSION_NR < 1060000000
 CGAL_add_named_parameter(features_angle_bound_t, features_angle_bound, features_angle_bound)
 #endif
-  CGAL_add_named_parameter(hex_optimization_method_t, hex_optimization_method, optimization_method)
-    CGAL_add_named_parameter(hex_fixed_boundary_t, hex_fixed_boundary, fixed_boundary)
-      CGAL_add_named_parameter(hex_boundary_placement_t, hex_boundary_placement, boundary_placement)
-        CGAL_add_named_parameter(hex_target_quality_t, hex_target_quality, target_quality)
-          CGAL_add_named_parameter(hex_maximum_deviation_t, hex_maximum_deviation, maximum_deviation)
-            CGAL_add_named_parameter(hex_target_edge_lengths_t, hex_target_edge_lengths, target_edge_lengths)
-              CGAL_add_named_parameter(hex_target_edge_length_map_t, hex_target_edge_length_map, target_edge_length_map)
-                CGAL_add_named_parameter(hex_number_of_restarts_t, hex_number_of_restarts, number_of_restarts)
-                  CGAL_add_named_parameter(hex_length_update_t, hex_length_update, edge_length_update)
-                    CGAL_add_named_parameter(hex_surface_weight_t, hex_surface_weight, surface_weight)
-                      CGAL_add_named_parameter(hex_feature_weight_t, hex_feature_weight, feature_weight)
-                        CGAL_add_named_parameter(hex_regularization_weight_t, hex_regularization_weight,
-                                                 regularization_weight)
-                          CGAL_add_named_parameter(hex_cone_angle_bound_t, hex_cone_angle_bound, cone_angle_bound)
-                            CGAL_add_named_parameter(hex_maximize_minimum_quality_t, hex_maximize_minimum_quality,
-                                                     maximize_minimum_quality)
+CGAL_add_named_parameter(hex_optimization_method_t, hex_optimization_method, optimization_method)
+CGAL_add_named_parameter(hexahedron_label_map_t, hexahedron_label_map, hexahedron_label_map)
+CGAL_add_named_parameter(hex_internal_faces_t, hex_internal_faces, internal_faces)
+CGAL_add_named_parameter(hex_fixed_boundary_t, hex_fixed_boundary, fixed_boundary)
+CGAL_add_named_parameter(hex_boundary_placement_t, hex_boundary_placement, boundary_placement)
+CGAL_add_named_parameter(hex_target_quality_t, hex_target_quality, target_quality)
+CGAL_add_named_parameter(hex_maximum_deviation_t, hex_maximum_deviation, maximum_deviation)
+CGAL_add_named_parameter(hex_target_edge_lengths_t, hex_target_edge_lengths, target_edge_lengths)
+CGAL_add_named_parameter(hex_target_edge_length_map_t, hex_target_edge_length_map, target_edge_length_map)
+CGAL_add_named_parameter(hex_number_of_restarts_t, hex_number_of_restarts, number_of_restarts)
+CGAL_add_named_parameter(hex_length_update_t, hex_length_update, edge_length_update)
+CGAL_add_named_parameter(hex_surface_weight_t, hex_surface_weight, surface_weight)
+CGAL_add_named_parameter(hex_feature_weight_t, hex_feature_weight, feature_weight)
+CGAL_add_named_parameter(hex_regularization_weight_t, hex_regularization_weight, regularization_weight)
+CGAL_add_named_parameter(hex_cone_angle_bound_t, hex_cone_angle_bound, cone_angle_bound)
+CGAL_add_named_parameter(hex_maximize_minimum_quality_t, hex_maximize_minimum_quality, maximize_minimum_quality)
 #endif

@@ -28,7 +28,9 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Attachment_by_matching
 {
 public:
-  Attachment_by_matching(const Hexahedral_complex& complex, const Positions& points, const Reference_surface& surface)
+  // end: only vertices of the surface before it, and curves through them, are matched
+  Attachment_by_matching(const Hexahedral_complex& complex, const Positions& points, const Reference_surface& surface,
+                         int end = (std::numeric_limits<int>::max)())
     : attachment(complex)
     , complex_(complex)
     , points_(points)
@@ -44,6 +46,8 @@ public:
       [&](std::size_t k) { return ends[k ^ 1]; });
     std::vector<int> vertex_of(surface.points.size(), -1);
     for (int corner : surface.corners) {
+      if (corner >= end)
+        continue;
       const int v = nearest_free_vertex(surface.points[corner]);
       if (v < 0)
         continue;
@@ -51,7 +55,8 @@ public:
       attachment.to_corner(v, surface, corner);
     }
     for (std::size_t c = 0; c < surface.curves.size(); ++c)
-      match(static_cast<int>(c), vertex_of);
+      if (surface.curves[c]->vertices.front() < end)
+        match(static_cast<int>(c), vertex_of);
   }
 
   Boundary_attachment attachment;

@@ -8,6 +8,7 @@
 // feature curve or the smooth surface (the sets C, F, S of eq. 21).
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 
@@ -25,6 +26,7 @@ struct Boundary_attachment
   Positions corner;                     // the place of a CORNER vertex
   std::vector<Corner_rank> corner_rank; // of a CORNER vertex
   std::vector<int> curve_of_edge;       // the curve that an edge of the boundary represents, or -1
+  std::vector<int> sheet;               // of the surface, that a SURFACE vertex belongs to; the first of several
 
   explicit Boundary_attachment(const Hexahedral_complex& complex)
     : kind(complex.number_of_vertices(), Vertex_kind::INTERIOR)
@@ -32,12 +34,19 @@ struct Boundary_attachment
     , corner(complex.number_of_vertices(), Vector_3::Zero())
     , corner_rank(complex.number_of_vertices(), Corner_rank::END)
     , curve_of_edge(complex.edges.size(), -1)
+    , sheet(complex.number_of_vertices(), 0)
   {
     for (std::size_t v = 0; v < kind.size(); ++v)
       if (!complex.is_used[v])
         kind[v] = Vertex_kind::FIXED;
       else if (complex.is_on_boundary[v])
         kind[v] = Vertex_kind::SURFACE;
+  }
+
+  void set_sheets(const Surface_faces& faces)
+  {
+    for (auto v = faces.vertices.rbegin(); v != faces.vertices.rend(); ++v)
+      sheet[v->vertex] = faces.sheet(v->face);
   }
 
   std::vector<char> fixed_vertices() const
@@ -69,14 +78,28 @@ struct Boundary_attachment
   }
 };
 
-// Attachment when the reference is the boundary itself: by identity.
+// By identity: vertex v of the mesh is vertex `first` + v of the surface. Nothing is attached to features of what the
+// surface has before.
+inline void attach_by_identity(const Hexahedral_complex& complex, const Reference_surface& surface, int first,
+                               Boundary_attachment& attachment)
+{
+  for (int v : surface.corners)
+    if (v >= first)
+      attachment.to_corner(v - first, surface, v);
+  for (std::size_t c = 0; c < surface.curves.size(); ++c)
+    if (surface.curves[c]->vertices.front() >= first) {
+      std::vector<int> vertices = surface.curves[c]->vertices;
+      for (int& v : vertices)
+        v -= first;
+      attachment.to_curve(complex, vertices, static_cast<int>(c));
+    }
+}
+
+// Attachment when the reference is the boundary itself.
 inline Boundary_attachment attach_to_own_boundary(const Hexahedral_complex& complex, const Reference_surface& surface)
 {
   Boundary_attachment attachment(complex);
-  for (int v : surface.corners)
-    attachment.to_corner(v, surface, v);
-  for (std::size_t c = 0; c < surface.curves.size(); ++c)
-    attachment.to_curve(complex, surface.curves[c]->vertices, static_cast<int>(c));
+  attach_by_identity(complex, surface, 0, attachment);
   return attachment;
 }
 

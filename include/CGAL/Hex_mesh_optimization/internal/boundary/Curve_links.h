@@ -40,8 +40,9 @@ public:
               const Boundary_attachment& attachment, double spacing)
     : edges_(surface.curves.size())
   {
+    int last = -1;
     for (const Surface_faces::Edge& e : faces.edges)
-      if (attachment.curve_of_edge[e.edge] >= 0)
+      if (attachment.curve_of_edge[e.edge] >= 0 && e.edge != std::exchange(last, e.edge))
         edges_[attachment.curve_of_edge[e.edge]].push_back({complex.edges[e.edge], e.face});
     spacing *= std::sqrt(oversize(surface.points, surface.triangles, faces.quads.size()));
     const double most = most_samples_of_edge * double(faces.edges.size());

@@ -43,23 +43,32 @@ public:
     Vector_3 direction;   // unit vector between the two, or a normal where they coincide
   };
 
-  // quads: of the mesh. spacing: of the samples.
-  Reference_links(const std::vector<std::array<int, 4>>& quads, const Triangle_surface& surface, double spacing)
-    : triangles_(split_quads(quads))
-    , samples_(spread_samples(surface.points, surface.triangles, quads.size(), spacing))
+  // faces: with the same sheets as the surface. spacing: of the samples.
+  Reference_links(const Surface_faces& faces, const Triangle_surface& surface, double spacing)
+    : triangles_(split_quads(faces.quads))
+    , sheets_(triangle_sheets(faces))
+    , samples_(spread_samples(surface, faces.quads.size(), spacing))
   {
     // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be
     // missed
     std::vector<double> around(surface.points.size(), 0.0);
-    for (const Triangle_indices& t : surface.triangles) {
-      const Vector_3& a = surface.points[t[0]];
-      const double area = (surface.points[t[1]] - a).cross(surface.points[t[2]] - a).norm() / 2;
-      for (int v : t)
-        around[v] += area / 3;
+    const std::vector<std::size_t> order = triangles_by_sheets(surface);
+    for (std::size_t begin = 0, end, s = 0; begin < order.size(); begin = end) {
+      const int sheet = surface.sheet(order[begin]);
+      for (end = begin; end < order.size() && surface.sheet(order[end]) == sheet; ++end) {
+        const Triangle_indices& t = surface.triangles[order[end]];
+        const Vector_3& a = surface.points[t[0]];
+        const double area = (surface.points[t[1]] - a).cross(surface.points[t[2]] - a).norm() / 2;
+        for (int v : t)
+          around[v] += area / 3;
+      }
+      for (; s < samples_.size() && samples_[s].sheet == sheet; ++s)
+        if (samples_[s].vertex >= 0)
+          samples_[s].area = around[samples_[s].vertex];
+      for (std::size_t i = begin; i < end; ++i)
+        for (int v : surface.triangles[order[i]])
+          around[v] = 0;
     }
-    for (Surface_sample& sample : samples_)
-      if (sample.vertex >= 0)
-        sample.area = around[sample.vertex];
   }
 
   // One link for every sample, always in the same order. A link whose vertices have moved by less than `still` since it
@@ -70,7 +79,7 @@ public:
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
     if (is_first || !is_known(points)) {
-      known_ = std::make_unique<Triangle_surface>(points, triangles_);
+      known_ = std::make_unique<Triangle_surface>(points, triangles_, sheets_);
       nearby_.reset(samples_.size());
       fast_ = nullptr;
       if (known_->is_empty()) {
@@ -109,7 +118,8 @@ private:
   void find_link(std::size_t i, const Positions& points, const Smooth_normals* normals)
   {
     const Vector_3& sample = samples_[i].point;
-    const Surface_point foot = normals ? known_->closest_point(sample) : closest(i, points);
+    const Surface_point foot = normals ? known_->closest_point(sample, Surface_point::no_hint, samples_[i].sheet)
+                                       : closest(i, points);
     const Triangle_indices& t = known_->triangles[foot.triangle];
     const double distance = (foot.point - sample).norm();
     Link& link = links_[i];
@@ -133,16 +143,18 @@ private:
     });
     fast_triangles_.clear();
     std::vector<Triangle_indices> triangles;
+    std::vector<int> sheets;
     for (std::size_t t = 0; t < known_->triangles.size(); ++t) {
       const Triangle_indices& vertices = known_->triangles[t];
       if (is_fast[vertices[0]] || is_fast[vertices[1]] || is_fast[vertices[2]]) {
         fast_triangles_.push_back(t);
         triangles.push_back(vertices);
+        sheets.push_back(known_->sheet(t));
       }
     }
     if (double(triangles.size()) > most_fast_triangles * double(known_->triangles.size()))
       return false;
-    fast_ = triangles.empty() ? nullptr : std::make_unique<Triangle_surface>(points, std::move(triangles));
+    fast_ = triangles.empty() ? nullptr : std::make_unique<Triangle_surface>(points, std::move(triangles), std::move(sheets));
     return true;
   }
 
@@ -154,14 +166,15 @@ private:
     std::optional<Surface_point> foot = nearby_.closest(i, sample, links_[i].triangle, points, *known_, margin);
     if (!foot) {
       foot = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
-      known_->for_triangles_near(sample, (foot->point - sample).norm() + margin, [&](std::size_t triangle) {
+      const auto compare = [&](std::size_t triangle) {
         const Surface_point candidate = closest_point_of_triangle(sample, triangle, points, known_->triangles);
         if ((candidate.point - sample).squaredNorm() < (foot->point - sample).squaredNorm())
           foot = candidate;
-      });
+      };
+      known_->for_triangles_near(sample, (foot->point - sample).norm() + margin, compare, samples_[i].sheet);
     }
     if (fast_)
-      if (std::optional<Surface_point> closer = fast_->closer_point(sample, foot->point)) {
+      if (std::optional<Surface_point> closer = fast_->closer_point(sample, foot->point, samples_[i].sheet)) {
         closer->triangle = fast_triangles_[closer->triangle];
         return *closer;
       }
@@ -169,6 +182,7 @@ private:
   }
 
   const std::vector<Triangle_indices> triangles_; // of the faces
+  const std::vector<int> sheets_;                 // of the triangles, or none
   std::vector<Surface_sample> samples_;
   std::vector<Link> links_;
   std::vector<std::array<Vector_3, 3>> found_at_; // the vertices of each link

@@ -50,10 +50,10 @@ public:
     return Target::on_line(c.point, c.tangent);
   }
 
-  // Of point i, now at p.
-  Target on_surface(std::size_t i, const Vector_3& p)
+  // Of point i, now at p, which belongs to a sheet of the surface: always the same one.
+  Target on_surface(std::size_t i, const Vector_3& p, int sheet)
   {
-    const Surface_point q = closest_point(i, p);
+    const Surface_point q = closest_point(i, p, sheet);
     triangles_[i] = q.triangle;
     return Target::on_plane(q.point, p, surface_.normal(q.triangle, q.coordinates));
   }
@@ -61,15 +61,15 @@ public:
 private:
   static constexpr std::size_t no_triangle = static_cast<std::size_t>(-1);
 
-  Surface_point closest_point(std::size_t i, const Vector_3& p)
+  Surface_point closest_point(std::size_t i, const Vector_3& p, int sheet)
   {
     const std::size_t before = triangles_[i];
     if (before == no_triangle)
-      return surface_.closest_point(p);
+      return surface_.closest_point(p, Surface_point::no_hint, sheet);
     if (const std::optional<Surface_point> q = nearby_.closest(i, p, before, surface_.points, surface_, 0))
       return *q;
     const Surface_point bound = closest_point_of_triangle(p, before, surface_.points, surface_.triangles);
-    return surface_.closer_point(p, bound.point).value_or(bound);
+    return surface_.closer_point(p, bound.point, sheet).value_or(bound);
   }
 
   const Reference_surface& surface_;

@@ -99,7 +99,7 @@ public:
             result[v] = Freedom::along_line(curve(v).closest_point(points[v]).tangent);
             break;
           case Kind::SURFACE:
-            result[v] = Freedom::along_plane(surface_.foot_point(points[v], hints_[v]).normal);
+            result[v] = Freedom::along_plane(surface_.foot_point(points[v], hints_[v], attachment_.sheet[v]).normal);
             break;
           default:
             break;
@@ -160,7 +160,7 @@ private:
     case Kind::CURVE:
       return curve(v).closest_point(p).point;
     default: {
-      const Surface_point q = surface_.closest_point(p, hints_[v]);
+      const Surface_point q = surface_.closest_point(p, hints_[v], attachment_.sheet[v]);
       hints_[v] = q.hint;
       return q.point;
     }

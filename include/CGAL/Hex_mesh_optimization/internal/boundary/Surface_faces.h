@@ -9,12 +9,15 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
+// A sheet is what one reference is searched for: the faces between the same two regions, or all that have nothing beyond.
 struct Surface_faces
 {
   struct Edge
@@ -23,24 +26,83 @@ struct Surface_faces
     int face; // one of those beside it
   };
 
-  std::vector<std::array<int, 4>> quads;
-  std::vector<Edge> edges;
-  std::vector<int> face_of_vertex; // one of those around each vertex of the mesh, or -1
+  struct Vertex
+  {
+    int vertex;
+    int face; // one of those around it
+  };
+
+  std::vector<std::array<int, 4>> quads;  // the boundary faces
+  std::vector<int> sheets;                // of the quads, counted from 0; none: all are in one
+  std::vector<std::array<int, 2>> labels; // of each sheet, on either side; nothing beyond: no_label
+  std::vector<Edge> edges;                // one for each sheet that an edge belongs to
+  std::vector<Vertex> vertices;           // one for each sheet that a vertex belongs to, in the order of the vertices
+
+  static constexpr int no_label = (std::numeric_limits<int>::max)();
+
+  int sheet(int face) const { return sheets.empty() ? 0 : sheets[face]; }
+
+  // Whether a face is between two regions.
+  bool is_interface(int face) const { return labels[sheet(face)][1] != no_label; }
+
+  std::size_t size_of_sheet(int s) const
+  {
+    return sheets.empty() ? quads.size() : std::count(sheets.begin(), sheets.end(), s);
+  }
 };
 
-inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex)
+// outside_is_one: all faces with nothing beyond are one sheet, the first, whichever regions they bound.
+inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, bool outside_is_one = false)
 {
   Surface_faces faces;
-  faces.quads.reserve(complex.boundary_faces.size());
-  for (const Hexahedral_complex::Boundary_face& f : complex.boundary_faces)
+  std::vector<std::array<int, 2>> labels;
+  for (const Hexahedral_complex::Boundary_face& f : complex.boundary_faces) {
     faces.quads.push_back(f.vertices);
-  faces.edges.reserve(complex.boundary_edges.size());
+    if (f.beyond >= 0)
+      labels.push_back({complex.label(f.hexahedron), complex.label(f.beyond)});
+    else if (outside_is_one)
+      labels.push_back({(std::numeric_limits<int>::min)(), Surface_faces::no_label});
+    else
+      labels.push_back({complex.label(f.hexahedron), Surface_faces::no_label});
+  }
+  faces.labels = labels;
+  std::sort(faces.labels.begin(), faces.labels.end());
+  faces.labels.erase(std::unique(faces.labels.begin(), faces.labels.end()), faces.labels.end());
+  if (faces.labels.size() > 1)
+    for (const std::array<int, 2>& l : labels)
+      faces.sheets.push_back(static_cast<int>(std::lower_bound(faces.labels.begin(), faces.labels.end(), l) -
+                                              faces.labels.begin()));
+
+  std::vector<std::array<int, 3>> sides; // edge, sheet, face, without those that follow another one in both
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
-    faces.edges.push_back({e.edge, e.left});
-  faces.face_of_vertex.assign(complex.number_of_vertices(), -1);
-  for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
-    if (complex.is_on_boundary[v])
-      faces.face_of_vertex[v] = complex.vertex_boundary_faces[v][0];
+    if (e.right >= 0)
+      sides.push_back({e.edge, faces.sheet(e.left), e.left});
+  const std::size_t manifold = sides.size();
+  if (manifold < complex.boundary_edges.size()) {
+    std::vector<char> is_singular(complex.edges.size(), false);
+    for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
+      is_singular[e.edge] = e.right < 0;
+    for (std::size_t f = 0; f < faces.quads.size(); ++f)
+      for (int k = 0; k < 4; ++k) {
+        const int e = complex.find_edge(faces.quads[f][k], faces.quads[f][(k + 1) % 4]) / 2;
+        if (is_singular[e])
+          sides.push_back({e, faces.sheet(static_cast<int>(f)), static_cast<int>(f)});
+      }
+    std::sort(sides.begin(), sides.end());
+  }
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (i == 0 || sides[i][0] != sides[i - 1][0] || sides[i][1] != sides[i - 1][1])
+      faces.edges.push_back({sides[i][0], sides[i][2]});
+
+  std::vector<int> seen; // sheets around one vertex
+  for (std::size_t v = 0; v < complex.number_of_vertices(); ++v) {
+    seen.clear();
+    for (int f : complex.vertex_boundary_faces[v])
+      if (std::find(seen.begin(), seen.end(), faces.sheet(f)) == seen.end()) {
+        seen.push_back(faces.sheet(f));
+        faces.vertices.push_back({static_cast<int>(v), f});
+      }
+  }
   return faces;
 }
 

@@ -30,12 +30,16 @@ inline Vector_3 face_area_vector(const Hexahedral_complex& complex, const Positi
   return (points[q[2]] - points[q[0]]).cross(points[q[3]] - points[q[1]]);
 }
 
-// The edges of the boundary whose two faces deviate from flat by more than the bound.
+// The edges of the boundary whose two faces deviate from flat by more than the bound, and those where it is no manifold.
 inline Edge_list sharp_boundary_edges(const Hexahedral_complex& complex, const Positions& points, double angle_bound)
 {
   const double bound = std::cos(angle_bound * CGAL_PI / 180);
   Edge_list sharp;
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges) {
+    if (e.right < 0) {
+      sharp.push_back(complex.edges[e.edge]);
+      continue;
+    }
     const Vector_3 left = face_area_vector(complex, points, e.left), right = face_area_vector(complex, points, e.right);
     if (left.dot(right) < bound * left.norm() * right.norm())
       sharp.push_back(complex.edges[e.edge]);
@@ -67,16 +71,56 @@ inline std::vector<Triangle_indices> split_quads(const std::vector<std::array<in
 
 inline std::vector<Triangle_indices> boundary_triangles(const Hexahedral_complex& complex)
 {
-  return split_quads(boundary_surface_faces(complex).quads);
+  std::vector<std::array<int, 4>> quads;
+  for (const Hexahedral_complex::Boundary_face& f : complex.boundary_faces)
+    quads.push_back(f.vertices);
+  return split_quads(quads);
 }
 
-// The boundary of the mesh as a reference of its own.
+// The sheets of the triangles that the faces are split into; none: all are in one.
+inline std::vector<int> triangle_sheets(const Surface_faces& faces)
+{
+  std::vector<int> sheets;
+  for (int s : faces.sheets)
+    sheets.insert(sheets.end(), {s, s});
+  return sheets;
+}
+
+// Faces with the vertices at these places.
+inline Triangle_surface as_triangle_surface(const Surface_faces& faces, const Positions& points)
+{
+  return Triangle_surface(points, split_quads(faces.quads), triangle_sheets(faces));
+}
+
+// Vertices in which parts of the boundary touch that share no edge there.
+inline std::vector<int> touching_vertices(const Hexahedral_complex& complex)
+{
+  std::vector<char> has_singular_edge(complex.number_of_vertices(), false);
+  for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
+    if (e.right < 0)
+      for (int v : complex.edges[e.edge])
+        has_singular_edge[v] = true;
+  std::vector<int> result;
+  for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+    if (complex.is_singular[v] && !has_singular_edge[v])
+      result.push_back(static_cast<int>(v));
+  return result;
+}
+
+// The boundary of the mesh as a reference of its own. faces: of the complex
+inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral_complex& complex,
+                                                                const Surface_faces& faces, const Positions& points,
+                                                                const Feature_parameters& features)
+{
+  return std::make_unique<Reference_surface>(points, split_quads(faces.quads),
+                                             sharp_boundary_edges(complex, points, features.angle_bound), false,
+                                             features, triangle_sheets(faces), touching_vertices(complex));
+}
+
 inline std::unique_ptr<Reference_surface>
 boundary_as_reference(const Hexahedral_complex& complex, const Positions& points, const Feature_parameters& features)
 {
-  return std::make_unique<Reference_surface>(points, boundary_triangles(complex),
-                                             sharp_boundary_edges(complex, points, features.angle_bound), false,
-                                             features);
+  return boundary_as_reference(complex, boundary_surface_faces(complex), points, features);
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -178,14 +178,14 @@ public:
     note_all(found, from_.triangles.size(), [&](std::size_t begin, std::size_t end, Found& part) {
       std::size_t hint = Surface_point::no_hint; // the next triangle is not far
       for (std::size_t t = begin; t < end; ++t) {
-        foot_[t] = search(polygon(t).center(), hint, part);
+        foot_[t] = search(polygon(t).center(), hint, from_.sheet(t), part);
         hint = foot_[t].hint;
       }
     });
     note_all(found, from_.points.size(), [&](std::size_t begin, std::size_t end, Found& part) {
       for (std::size_t v = begin; v < end; ++v)
         if (triangle_of_vertex[v] != none)
-          search(from_.points[v], foot_[triangle_of_vertex[v]].hint, part);
+          search(from_.points[v], foot_[triangle_of_vertex[v]].hint, from_.sheet(triangle_of_vertex[v]), part);
     });
   }
 
@@ -258,9 +258,9 @@ private:
     return Convex_polygon(from_.corner(t, 0), from_.corner(t, 1), from_.corner(t, 2));
   }
 
-  Surface_point search(const Vector_3& p, std::size_t hint, Found& found) const
+  Surface_point search(const Vector_3& p, std::size_t hint, int sheet, Found& found) const
   {
-    const Surface_point foot = to_.closest_point(p, hint);
+    const Surface_point foot = to_.closest_point(p, hint, sheet);
     found.note((foot.point - p).norm(), p);
     return foot;
   }
@@ -294,13 +294,14 @@ private:
   Bounded bound(std::size_t triangle, double target, double tolerance, std::size_t most, std::vector<Piece>& heap,
                 Found& found) const
   {
+    const int sheet = from_.sheet(triangle);
     double shown = 0; // by the pieces that are done with
     heap.clear();
     // parent: of the piece, or near it
     const auto add = [&](const Convex_polygon& polygon, const Piece& parent) {
       Piece piece{polygon, (std::min)(parent.bound, distance(polygon, parent.foot.triangle)), parent.foot};
       if (piece.bound > threshold(target, tolerance, found)) {
-        piece.foot = search(polygon.center(), parent.foot.hint, found);
+        piece.foot = search(polygon.center(), parent.foot.hint, sheet, found);
         if (piece.foot.triangle != parent.foot.triangle)
           piece.bound = (std::min)(piece.bound, distance(polygon, piece.foot.triangle));
       }
@@ -320,7 +321,7 @@ private:
       std::pop_heap(heap.begin(), heap.end());
       Piece piece = heap.back();
       heap.pop_back();
-      if (const std::size_t parts = divide(piece, target, tolerance, found, add))
+      if (const std::size_t parts = divide(piece, sheet, target, tolerance, found, add))
         pieces += parts;
       else
         shown = (std::max)(shown, piece.bound);
@@ -331,7 +332,7 @@ private:
   // Calls add(polygon, piece) for the parts of a piece. How many there are; or none, and the bound of the piece is good
   // enough.
   template <class Add>
-  std::size_t divide(Piece& piece, double target, double tolerance, Found& found, const Add& add) const
+  std::size_t divide(Piece& piece, int sheet, double target, double tolerance, Found& found, const Add& add) const
   {
     std::size_t parts = 0;
     const auto add_part = [&](const Convex_polygon& part) {
@@ -363,7 +364,7 @@ private:
     const std::size_t before = piece.foot.triangle;
     for (const Vector_3& corner : piece.polygon)
       if (distance(corner, before) > threshold(target, tolerance, found)) {
-        const Surface_point foot = search(corner, piece.foot.hint, found);
+        const Surface_point foot = search(corner, piece.foot.hint, sheet, found);
         piece.bound = (std::min)(piece.bound, distance(piece.polygon, foot.triangle));
       }
     if (piece.bound <= threshold(target, tolerance, found))
@@ -380,7 +381,7 @@ private:
   std::vector<Surface_point> foot_; // of the center of each triangle
 };
 
-// Of two surfaces; target: the bound to show. O(n log n) for n triangles that lie over each other like those of two
+// Of two surfaces, sheet by sheet; target: the bound to show. O(n log n) for n triangles that lie over each other like those of two
 // meshes of one shape. What is found does not depend on the number of threads. Nothing is shown if a surface is empty.
 inline Certified_deviation certified_distance(const Triangle_surface& first, const Triangle_surface& second,
                                               double target,
@@ -407,12 +408,12 @@ inline Certified_deviation certified_distance(const Triangle_surface& first, con
   return result;
 }
 
-// Of the boundary of the mesh, each quad as two triangles, and the reference.
-inline Certified_deviation certified_deviation(const Hexahedral_complex& complex, const Positions& points,
+// Of faces of the mesh, each as two triangles, and the reference.
+inline Certified_deviation certified_deviation(const Surface_faces& faces, const Positions& points,
                                                const Triangle_surface& reference, double target,
                                                const Certification_parameters& parameters = Certification_parameters())
 {
-  return certified_distance(Triangle_surface(points, boundary_triangles(complex)), reference, target, parameters);
+  return certified_distance(as_triangle_surface(faces, points), reference, target, parameters);
 }
 
 // How far the bilinear faces of the boundary are from their two triangles at most, whichever diagonal those share: at

@@ -89,6 +89,13 @@ private:
     limits_[hexahedron] = (std::min)(limits_[hexahedron], Limit(bound, reason));
   }
 
+  void limit_beside(int face, Connectivity_limit_reason reason, double bound)
+  {
+    for (int h : {complex_.boundary_faces[face].hexahedron, complex_.boundary_faces[face].beyond})
+      if (h >= 0)
+        limit(h, reason, bound);
+  }
+
   // Around an interior edge the dihedral angles sum up to 360°, at either end. On a boundary edge that is not
   // on a curve, both boundary faces are tangent to the same plane at an end with a tangent plane, and
   // still so at an end on a curve, of which they are on the same side: 180°.
@@ -98,15 +105,23 @@ private:
     for (const std::array<int, 12>& edges : complex_.hexahedron_edges)
       for (int directed : edges)
         ++count[directed / 2];
+    // of an edge between regions that has hexahedra all around only this is known, of one where the boundary is no
+    // manifold nothing
+    std::vector<char> is_outside(complex_.edges.size(), false), is_singular(complex_.edges.size(), false);
+    for (const Hexahedral_complex::Boundary_face& f : complex_.boundary_faces)
+      for (int k = 0; k < 4 && f.beyond < 0; ++k)
+        is_outside[complex_.find_edge(f.vertices[k], f.vertices[(k + 1) % 4]) / 2] = true;
+    for (const Hexahedral_complex::Boundary_edge& e : complex_.boundary_edges)
+      is_singular[e.edge] = e.right < 0;
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
       for (int directed : complex_.hexahedron_edges[h]) {
         const int e = directed / 2, n = count[e];
         const Vertex_kind a = attachment_.kind[complex_.edges[e][0]], b = attachment_.kind[complex_.edges[e][1]];
-        if (!complex_.is_boundary_edge[e]) {
+        if (!is_outside[e]) {
           if (n != 4 && (a != Vertex_kind::FIXED || b != Vertex_kind::FIXED))
             limit(static_cast<int>(h), Connectivity_limit_reason::INTERIOR_EDGE, largest_sine(2, n));
         }
-        else if (n != 2 && attachment_.curve_of_edge[e] < 0 && (is_on_smooth_patch(a) || is_on_smooth_patch(b)))
+        else if (n != 2 && !is_singular[e] && attachment_.curve_of_edge[e] < 0 && (is_on_smooth_patch(a) || is_on_smooth_patch(b)))
           limit(static_cast<int>(h),
                 n == 1 ? Connectivity_limit_reason::FLAT_EDGE : Connectivity_limit_reason::SMOOTH_EDGE,
                 largest_sine(1, n));
@@ -135,16 +150,17 @@ private:
   void limit_at_smooth_vertex(std::size_t v)
   {
     const auto faces = complex_.vertex_boundary_faces[v];
-    if (faces.size() != 4)
+    if (faces.size() != 4 && !complex_.is_singular[v])
       for (int f : faces)
-        limit(complex_.boundary_faces[f].hexahedron, Connectivity_limit_reason::SMOOTH_VERTEX,
-              largest_sine(2, static_cast<int>(faces.size())));
+        limit_beside(f, Connectivity_limit_reason::SMOOTH_VERTEX, largest_sine(2, static_cast<int>(faces.size())));
   }
 
   // A curve that passes the vertex makes an angle of 180° there: a corner with edges along both of its directions is
   // flat, and the angles of the faces on either side of the curve sum up to 180°.
   void limit_at_curve_vertex(int v)
   {
+    if (complex_.is_singular[v])
+      return;
     const auto faces = complex_.vertex_boundary_faces[v];
     const auto is_passing = [&](int edge) { return attachment_.curve_of_edge[edge] == attachment_.curve[v]; };
     const auto neighbor = [&](int f, int step) {
@@ -178,8 +194,7 @@ private:
       }
       if (side.size() > 2)
         for (int f : side)
-          limit(complex_.boundary_faces[f].hexahedron, Connectivity_limit_reason::CURVE_VERTEX,
-                largest_sine(1, static_cast<int>(side.size())));
+          limit_beside(f, Connectivity_limit_reason::CURVE_VERTEX, largest_sine(1, static_cast<int>(side.size())));
     }
   }
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_DEVIATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_DEVIATION_H
 
-// The two-sided distance between the boundary of the mesh and the reference.
+// The two-sided distance between faces of the mesh and the reference, sheet by sheet.
 
 #include <CGAL/Hex_mesh_optimization/Deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
@@ -20,56 +20,84 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// Distances from points spread over one surface to the other. O(samples · log triangles).
-inline void extend_deviation(const Triangle_surface& from, const Triangle_surface& to,
-                             std::size_t number_of_boundary_faces, double spacing, Deviation& deviation)
+// The two-sided distances of all sheets together, and of each.
+struct Deviations
 {
-  struct Part
+  Deviation all;
+  std::vector<Deviation> of_sheet;
+};
+
+// Distances from points spread over one surface to the other.
+struct Sampled_distances
+{
+  double sum = 0, weight = 0, largest = 0;
+
+  void add(const Sampled_distances& other)
   {
-    double sum = 0, weight = 0, largest = 0;
-  };
-  const std::vector<Surface_sample> samples = spread_samples(from.points, from.triangles, number_of_boundary_faces,
-                                                             spacing);
-  const auto parts = results_of_ranges<Part>(
+    sum += other.sum;
+    weight += other.weight;
+    largest = (std::max)(largest, other.largest);
+  }
+
+  void extend(Deviation& deviation) const
+  {
+    if (weight > 0)
+      deviation.average = (std::max)(deviation.average, sum / weight);
+    deviation.maximum = (std::max)(deviation.maximum, largest);
+  }
+};
+
+// O(samples · log triangles).
+inline void extend_deviations(const Triangle_surface& from, const Triangle_surface& to,
+                              std::size_t number_of_boundary_faces, double spacing, Deviations& deviations)
+{
+  const std::vector<Surface_sample> samples = spread_samples(from, number_of_boundary_faces, spacing);
+  using Of_sheets = std::vector<Sampled_distances>;
+  const auto parts = results_of_ranges<Of_sheets>(
     samples.size(),
     [&](std::size_t begin, std::size_t end) {
-      Part part;
+      Of_sheets part(from.number_of_sheets());
       std::size_t hint = Surface_point::no_hint; // the next sample is not far
       for (std::size_t i = begin; i < end; ++i) {
-        const Surface_point foot = to.closest_point(samples[i].point, hint);
+        const Surface_point foot = to.closest_point(samples[i].point, hint, samples[i].sheet);
         hint = foot.hint;
         const double distance = (foot.point - samples[i].point).norm();
-        part.sum += samples[i].area * distance;
-        part.weight += samples[i].area;
-        part.largest = (std::max)(part.largest, distance);
+        part[samples[i].sheet].add({samples[i].area * distance, samples[i].area, distance});
       }
       return part;
     },
     1024);
-  double sum = 0, weight = 0, largest = 0;
-  for (const Part& part : parts) {
-    sum += part.sum;
-    weight += part.weight;
-    largest = (std::max)(largest, part.largest);
+  Of_sheets of_sheets(deviations.of_sheet.size());
+  for (const Of_sheets& part : parts)
+    for (std::size_t s = 0; s < part.size(); ++s)
+      of_sheets[s].add(part[s]);
+  Sampled_distances all;
+  for (std::size_t s = 0; s < of_sheets.size(); ++s) {
+    of_sheets[s].extend(deviations.of_sheet[s]);
+    all.add(of_sheets[s]);
   }
-  if (weight > 0)
-    deviation.average = (std::max)(deviation.average, sum / weight);
-  deviation.maximum = (std::max)(deviation.maximum, largest);
+  all.extend(deviations.all);
 }
 
-inline Deviation deviation(const Hexahedral_complex& complex, const Positions& points,
-                           const Triangle_surface& reference, double spacing)
+// faces: with the sheets of the reference
+inline Deviations deviations(const Surface_faces& faces, const Positions& points, const Triangle_surface& reference,
+                             double spacing)
 {
-  Deviation result;
-  const Triangle_surface boundary(points, boundary_triangles(complex));
+  Deviations result;
+  const Triangle_surface boundary = as_triangle_surface(faces, points);
+  result.of_sheet.resize((std::max)(boundary.number_of_sheets(), reference.number_of_sheets()));
   if (boundary.is_empty() || reference.is_empty())
     return result;
-  const std::size_t faces = complex.boundary_faces.size();
-  extend_deviation(boundary, reference, faces, spacing, result);
-  extend_deviation(reference, boundary, faces, spacing, result);
+  extend_deviations(boundary, reference, faces.quads.size(), spacing, result);
+  extend_deviations(reference, boundary, faces.quads.size(), spacing, result);
   const double diagonal = bounding_box_diagonal(reference);
-  result.average_relative = result.average / diagonal;
-  result.maximum_relative = result.maximum / diagonal;
+  const auto relate = [&](Deviation& d) {
+    d.average_relative = d.average / diagonal;
+    d.maximum_relative = d.maximum / diagonal;
+  };
+  relate(result.all);
+  for (Deviation& d : result.of_sheet)
+    relate(d);
   return result;
 }
 

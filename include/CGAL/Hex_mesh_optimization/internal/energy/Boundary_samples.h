@@ -44,6 +44,8 @@ struct Boundary_sample_parameters
   double reference_spacing = .8;
   // Factor for features.
   double feature_weight = 4.6;
+  // Bound of the distances of interfaces, in local edge lengths.
+  double interface_deviation = .08;
   // Samples keep their targets until they have moved this far, in local edge lengths.
   double still_distance = .02;
 
@@ -104,20 +106,24 @@ struct Boundary_sample
 class Boundary_samples
 {
 public:
-  // lengths: the target lengths of the edges. trusted: the reference is not the boundary of the mesh itself.
-  // maximum_deviation: the bound of all distances. The complex, the surface and the attachment must outlive the object.
-  Boundary_samples(const Hexahedral_complex& complex, Surface_faces faces, const Reference_surface& surface,
+  // faces: of the complex, with the sheets of the surface. lengths: the target lengths of the edges. trusted: the
+  // reference is not the boundary of the mesh itself. maximum_deviation: the bound of all distances. The complex, the
+  // faces, the surface and the attachment must outlive the object.
+  Boundary_samples(const Hexahedral_complex& complex, const Surface_faces& faces, const Reference_surface& surface,
                    const Boundary_attachment& attachment, const std::vector<double>& lengths, bool trusted,
                    double maximum_deviation, const Boundary_sample_parameters& parameters)
     : parameters_(parameters)
     , maximum_deviation_(maximum_deviation)
     , tolerance_(trusted ? parameters.tolerance : std::numeric_limits<double>::infinity())
-    , faces_(std::move(faces))
+    , faces_(faces)
+    , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(), [](const std::array<int, 2>& labels) {
+      return labels[1] != Surface_faces::no_label;
+    }))
     , attachment_(attachment)
     , scale_(mean_lengths(complex, faces_, lengths))
     , own_count_(add_samples(complex))
     , targets_(surface, own_count_)
-    , reference_links_(faces_.quads, surface,
+    , reference_links_(faces_, surface,
                        parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1))
     , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
   {}
@@ -159,7 +165,9 @@ public:
 
   double wall_weight() const { return parameters_.wall_weight; }
   bool has_tolerance() const { return is_bounded() || std::isfinite(tolerance_); }
-  bool is_bounded() const { return std::isfinite(maximum_deviation_); }
+  // Whether the distances of some samples are bounded.
+  bool is_bounded_everywhere() const { return std::isfinite(maximum_deviation_); }
+  bool is_bounded() const { return has_interface_ || std::isfinite(maximum_deviation_); }
 
   // By how much the samples exceed what is tolerated at the most, relative to it.
   double excess(const Positions& points) const
@@ -191,7 +199,10 @@ public:
     });
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (leaves[i])
-        is_leaving[complex.boundary_faces[samples_[i].face].hexahedron] = true;
+        for (int h : {complex.boundary_faces[samples_[i].face].hexahedron,
+                      complex.boundary_faces[samples_[i].face].beyond})
+          if (h >= 0)
+            is_leaving[h] = true;
   }
 
 private:
@@ -233,20 +244,27 @@ private:
   // Those of the mesh. Returns how many.
   std::size_t add_samples(const Hexahedral_complex& complex)
   {
-    for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
-      if (faces_.face_of_vertex[v] >= 0 && attachment_.kind[v] != Vertex_kind::FIXED)
-        add(
-          {{static_cast<int>(v)}, {1.0}, 1, faces_.face_of_vertex[v], 1.0, attachment_.kind[v], attachment_.curve[v]});
+    int last = -1;
+    for (const Surface_faces::Vertex& v : faces_.vertices) {
+      const Vertex_kind kind = attachment_.kind[v.vertex];
+      if (kind != Vertex_kind::FIXED && (kind == Vertex_kind::SURFACE || v.vertex != last)) // features: once
+        add({{v.vertex}, {1.0}, 1, v.face, 1.0, kind, attachment_.curve[v.vertex]});
+      last = v.vertex;
+    }
     for (std::size_t f = 0; f < faces_.quads.size(); ++f)
       add(on_face(f, .5, .5, 1.0));
     if (is_bounded())
       add_further_samples();
+    int last_edge = -1;
     for (const Surface_faces::Edge& e : faces_.edges) {
       const std::array<int, 2>& ends = complex.edges[e.edge];
       const int curve = attachment_.curve_of_edge[e.edge];
+      if (curve >= 0 && e.edge == last_edge)
+        continue;
+      last_edge = e.edge;
       const Vertex_kind kind = curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE;
       add({{ends[0], ends[1]}, {.5, .5}, 2, e.face, parameters_.edge_weight, kind, curve});
-      for (int k = 1; is_bounded() && k < parameters_.parts; ++k)
+      for (int k = 1; is_bounded(e.face) && k < parameters_.parts; ++k)
         if (2 * k != parameters_.parts) {
           const double u = double(k) / parameters_.parts;
           add({{ends[0], ends[1]}, {1 - u, u}, 2, e.face, parameters_.further_weight, kind, curve});
@@ -259,7 +277,7 @@ private:
   {
     const int n = parameters_.parts;
     for (std::size_t f = 0; f < faces_.quads.size(); ++f)
-      for (int i = 1; i < n; ++i)
+      for (int i = 1; i < n && is_bounded(static_cast<int>(f)); ++i)
         for (int j = 1; j < n; ++j)
           if (2 * i != n || 2 * j != n)
             add(on_face(f, double(i) / n, double(j) / n, parameters_.further_weight));
@@ -282,7 +300,7 @@ private:
     else if (s.kind == Vertex_kind::FEATURE)
       s.target = targets_.on_curve(s.curve, p);
     else
-      s.target = targets_.on_surface(i, p);
+      s.target = targets_.on_surface(i, p, faces_.sheet(s.face));
   }
 
   // A sample of the reference pulls the point of the faces that it is linked to.
@@ -314,27 +332,41 @@ private:
     s.target = Target::on_plane(link.sample, s.place(points), Vector_3::UnitX());
   }
 
-  double tolerated(const Boundary_sample& s) const
+  bool is_bounded(int face) const { return std::isfinite(maximum_deviation_) || faces_.is_interface(face); }
+
+  // What the distance of a sample is to keep to; infinite where it is not bounded.
+  double bound_of(const Boundary_sample& s) const
   {
-    return is_bounded() ? parameters_.kept_part * maximum_deviation_ : tolerance_ * s.scale;
+    return parameters_.kept_part * (faces_.is_interface(s.face)
+                                      ? (std::min)(maximum_deviation_, parameters_.interface_deviation * s.scale)
+                                      : maximum_deviation_);
+  }
+
+  double tolerated(const Boundary_sample& s) const { return (std::min)(bound_of(s), tolerance_of(s)); }
+
+  // Where a bound is asked for, it is what counts.
+  double tolerance_of(const Boundary_sample& s) const
+  {
+    return std::isfinite(maximum_deviation_) ? maximum_deviation_ : tolerance_ * s.scale;
   }
 
   void bound(const Positions& points, double tightness)
   {
-    const double bound = parameters_.kept_part * maximum_deviation_ * std::pow(tightness, -parameters_.loosening);
+    const double loosening = std::pow(tightness, -parameters_.loosening);
     for_each(samples_.size(), [&](std::size_t i) {
       Boundary_sample& s = samples_[i];
-      s.bound = bound;
-      s.wall = parameters_.wall * (std::max)(bound, s.offset(points).norm());
-      s.emphasis = std::sqrt(
-        (std::max)(1.0, parameters_.close_distance * s.scale / (parameters_.kept_part * maximum_deviation_)));
+      const double bound = bound_of(s);
+      s.bound = bound * loosening;
+      s.wall = parameters_.wall * (std::max)(s.bound, s.offset(points).norm());
+      s.emphasis = std::sqrt((std::max)(1.0, parameters_.close_distance * s.scale / bound));
     });
   }
 
   const Boundary_sample_parameters parameters_;
   const double maximum_deviation_;
   const double tolerance_; // without a bound, in local edge lengths
-  const Surface_faces faces_;
+  const Surface_faces& faces_;
+  const bool has_interface_;
   const Boundary_attachment& attachment_;
   const std::vector<double> scale_; // of each vertex of the faces
   std::vector<Boundary_sample> samples_;

@@ -27,8 +27,8 @@ class Checked_mesh
 {
 public:
   // Throws Input_error, with elements numbered as the caller knows them.
-  Checked_mesh(const Positions& points, const std::vector<Hexahedron>& hexahedra)
-    : Checked_mesh(points, numbering(points, hexahedra))
+  Checked_mesh(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions = {})
+    : Checked_mesh(points, regions, numbering(points, hexahedra))
   {}
 
   // As the caller finds it, sums in the same order.
@@ -50,11 +50,11 @@ private:
     std::vector<Hexahedron> hexahedra;
   };
 
-  Checked_mesh(const Positions& given, Numbering numbering)
+  Checked_mesh(const Positions& given, const Regions& regions, Numbering numbering)
     : is_reversed(numbering.is_reversed)
     , order(std::move(numbering.order))
     , points(order.ordered(given))
-    , complex(given.size(), order.ordered(numbering.hexahedra))
+    , complex(given.size(), order.ordered(numbering.hexahedra), order.ordered(regions))
     , given_hexahedra_(std::move(numbering.hexahedra))
   {}
 

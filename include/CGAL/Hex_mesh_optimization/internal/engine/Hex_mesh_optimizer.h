@@ -40,13 +40,13 @@ class Hex_mesh_optimizer
 {
 public:
   // Everything that can be wrong with the input is refused here, by Input_error.
-  // reference: null when the boundary of the mesh is its own reference.
+  // reference: null when the boundary of the mesh is its own reference, as what is between regions always is.
   Hex_mesh_optimizer(const Positions& points, const std::vector<Hexahedron>& hexahedra,
-                     const Reference_input* reference, const std::vector<char>& is_frozen,
+                     const Regions& regions, const Reference_input* reference, const std::vector<char>& is_frozen,
                      const Optimization_parameters& parameters)
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
-    , mesh_(points, hexahedra)
+    , mesh_(points, hexahedra, regions)
     , model_(mesh_, reference, is_frozen, parameters_)
     , report_(mesh_, model_, parameters_)
   {}
@@ -143,7 +143,7 @@ private:
   Stage_end rectify(Positions& points, double target, std::size_t tolerated)
   {
     const Timer timer(control_, report_.status.rectification_seconds);
-    return Edge_cone_rectification(mesh_.complex, model_.relations, *model_.surface, model_.attachment,
+    return Edge_cone_rectification(mesh_.complex, model_.relations, model_.faces, *model_.surface, model_.attachment,
                                    vertices_at_rest(points), model_.lengths, parameters_.rectification)
       .run(points, control_, target, tolerated);
   }
@@ -192,7 +192,7 @@ private:
   Boundary_samples& boundary_samples()
   {
     if (!samples_)
-      samples_.emplace(mesh_.complex, boundary_surface_faces(mesh_.complex), *model_.surface, model_.attachment,
+      samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment,
                        model_.lengths, model_.reference_is_given, parameters_.maximum_deviation / model_.unit,
                        parameters_.boundary.samples);
     return *samples_;

@@ -51,6 +51,7 @@ public:
     , unit(mean_boundary_edge(mesh))
     , center(boundary_center(mesh, unit))
     , points(in_units(mesh.points))
+    , faces(boundary_surface_faces(mesh.complex, reference_is_given))
     , surface(reference ? given_reference(*reference, parameters.features) : own_reference(parameters.features))
     , attachment(attached(is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
@@ -86,6 +87,7 @@ public:
     unit; // the boundary terms have units of length², so that all weights presuppose one: the mean boundary edge
   const Vector_3 center;
   const Positions points; // of the mesh, in this unit, as is all that follows
+  const Surface_faces faces;
   const std::unique_ptr<const Reference_surface> surface;
   const Boundary_attachment attachment;
   const std::vector<char> is_fixed; // of the vertices
@@ -140,24 +142,78 @@ private:
     require_same_place(reference);
     Edge_list sharp = reference.sharp_is_given ? reference.sharp
                                                : sharp_edges(normalized, reference.triangles, features.angle_bound);
-    return std::make_unique<const Reference_surface>(std::move(normalized), reference.triangles, std::move(sharp),
-                                                     reference.sharp_is_given, features);
+    std::vector<Triangle_indices> triangles = reference.triangles;
+    std::vector<int> sheets;
+    if (faces.labels.size() > 1)
+      append_interfaces(features.angle_bound, normalized, triangles, sheets, sharp);
+    return std::make_unique<const Reference_surface>(std::move(normalized), std::move(triangles), std::move(sharp),
+                                                     reference.sharp_is_given, features, std::move(sheets));
+  }
+
+  // To a reference for what has nothing beyond, what is between regions, as it is. Where an interface ends at the outer
+  // boundary it goes along with that; no curve holds it where it was.
+  void append_interfaces(double angle_bound, Positions& reference_points, std::vector<Triangle_indices>& triangles,
+                         std::vector<int>& sheets, Edge_list& sharp) const
+  {
+    const int first = static_cast<int>(reference_points.size());
+    reference_points.insert(reference_points.end(), points.begin(), points.end());
+    sheets.assign(triangles.size(), 0);
+    const std::vector<Triangle_indices> of_faces = split_quads(faces.quads);
+    std::vector<char> is_outside(points.size(), false);
+    for (std::size_t f = 0; f < faces.quads.size(); ++f)
+      if (mesh.complex.boundary_faces[f].beyond < 0)
+        for (int v : faces.quads[f])
+          is_outside[v] = true;
+      else
+        for (std::size_t t : {2 * f, 2 * f + 1}) {
+          const Triangle_indices& vertices = of_faces[t];
+          triangles.push_back({vertices[0] + first, vertices[1] + first, vertices[2] + first});
+          sheets.push_back(faces.sheet(static_cast<int>(f)));
+        }
+    for (const std::array<int, 2>& e : sharp_boundary_edges(mesh.complex, points, angle_bound))
+      if (!is_outside[e[0]] && !is_outside[e[1]])
+        sharp.push_back({e[0] + first, e[1] + first});
+  }
+
+  // Whether a vertex has a face with nothing beyond.
+  std::vector<char> vertices_outside() const
+  {
+    std::vector<char> result(points.size(), false);
+    for (const Hexahedral_complex::Boundary_face& f : mesh.complex.boundary_faces)
+      for (int k = 0; k < 4 && f.beyond < 0; ++k)
+        result[f.vertices[k]] = true;
+    return result;
   }
 
   std::unique_ptr<const Reference_surface> own_reference(const Feature_parameters& features) const
   {
     require_area(points, boundary_triangles(mesh.complex), "the boundary of the mesh has no face with an area");
-    return boundary_as_reference(mesh.complex, points, features);
+    return boundary_as_reference(mesh.complex, faces, points, features);
   }
 
   Boundary_attachment attached(const std::vector<char>& is_frozen, bool fixed_boundary) const
   {
-    Boundary_attachment result = reference_is_given ? Attachment_by_matching(mesh.complex, points, *surface).attachment
-                                                    : attach_to_own_boundary(mesh.complex, *surface);
-    const std::vector<char> frozen = mesh.order.ordered(is_frozen);
+    Boundary_attachment result = reference_is_given ? attached_to_given() : attach_to_own_boundary(mesh.complex, *surface);
+    result.set_sheets(faces);
+    const std::vector<char> frozen = mesh.order.ordered(is_frozen), outside = vertices_outside();
     for (std::size_t v = 0; v < frozen.size(); ++v)
-      if (frozen[v] || (fixed_boundary && mesh.complex.is_on_boundary[v]))
+      if (frozen[v] || (fixed_boundary && outside[v]))
         result.kind[v] = Vertex_kind::FIXED;
+    return result;
+  }
+
+  Boundary_attachment attached_to_given() const
+  {
+    if (faces.labels.size() < 2)
+      return Attachment_by_matching(mesh.complex, points, *surface).attachment;
+    // only what has nothing beyond is matched
+    const int first = static_cast<int>(surface->points.size() - points.size());
+    const Hexahedral_complex whole(points.size(), mesh.complex.hexahedra);
+    Boundary_attachment result = Attachment_by_matching(whole, points, *surface, first).attachment;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (mesh.complex.is_on_boundary[v] && !whole.is_on_boundary[v])
+        result.kind[v] = Vertex_kind::SURFACE;
+    attach_by_identity(mesh.complex, *surface, first, result);
     return result;
   }
 
@@ -167,7 +223,9 @@ private:
     if (Mesh_quality(mesh.complex, points).inverted > 0)
       return false;
     for (std::size_t v = 0; reference_is_given && v < points.size(); ++v)
-      if (mesh.complex.is_on_boundary[v] && (surface->closest_point(points[v]).point - points[v]).norm() > tolerance)
+      if (mesh.complex.is_on_boundary[v] &&
+          (surface->closest_point(points[v], Surface_point::no_hint, attachment.sheet[v]).point - points[v]).norm() >
+            tolerance)
         return false;
     return true;
   }
@@ -196,8 +254,9 @@ private:
     constexpr double largest_ratio = 3;    // of the diagonals
     constexpr double largest_offset = .25; // by which both boxes are enlarged, in larger diagonals
     Eigen::AlignedBox3d of_mesh, of_reference;
+    const std::vector<char> outside = vertices_outside();
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
-      if (mesh.complex.is_on_boundary[v])
+      if (outside[v])
         of_mesh.extend(mesh.points[v]);
     for (const Triangle_indices& t : reference.triangles)
       for (int v : t)

@@ -47,7 +47,12 @@ public:
   {
     status.orientation_reversed = mesh.is_reversed;
     status.before = mesh.statistics(mesh.points);
-    status.volume_before = volume_of(mesh.points);
+    std::vector<int> labels = mesh.complex.labels.empty() ? std::vector<int>(1, 0) : mesh.complex.labels;
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    for (int label : labels)
+      status.regions.push_back({label, 0, 0});
+    status.volume_before = measure_volumes(mesh.points, &Region_volume::before);
   }
 
   // Takes the result, in the coordinates of the input: the final statistics are those of the coordinates handed out, so
@@ -57,14 +62,19 @@ public:
   {
     positions_ = std::move(result);
     status.after = mesh_.statistics(positions_);
-    status.deviation = measured_deviation(positions_);
+    Deviations measured = measured_deviations(positions_);
     status.deviation_bound = parameters_.maximum_deviation;
+    status.deviation = measured.all;
     if (is_perfect() || is_worse(excess_before, excess)) {
       positions_ = mesh_.points;
       status.after = status.before;
-      status.deviation = measured_deviation(mesh_.points);
+      measured = measured_deviations(mesh_.points);
+      status.deviation = measured.all;
     }
-    status.volume_after = volume_of(positions_);
+    for (std::size_t s = 0; s < model_.faces.labels.size(); ++s)
+      if (model_.faces.labels[s][1] != Surface_faces::no_label)
+        status.interfaces.push_back({model_.faces.labels[s], model_.faces.size_of_sheet(static_cast<int>(s)), measured.of_sheet[s]});
+    status.volume_after = measure_volumes(positions_, &Region_volume::after);
     for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h)
       if (hexahedron_validity(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[h])) != Validity::VALID) {
         status.invalid_hexahedra.push_back(mesh_.order.given_hexahedron(h));
@@ -105,15 +115,20 @@ public:
   const Positions& positions() const { return positions_; }
 
 private:
-  Deviation measured_deviation(const Positions& positions) const
+  Deviations measured_deviations(const Positions& positions) const
   {
-    Deviation result = deviation(mesh_.complex, model_.in_units(positions), *model_.surface,
-                                 parameters_.measuring_spacing);
-    result.average *= model_.unit;
-    result.maximum *= model_.unit;
-    result.bilinear = model_.unit * bilinear_excess(mesh_.complex, model_.in_units(positions));
+    Deviations result = deviations(model_.faces, model_.in_units(positions), *model_.surface,
+                                   parameters_.measuring_spacing);
+    const auto scale = [&](Deviation& d) {
+      d.average *= model_.unit;
+      d.maximum *= model_.unit;
+    };
+    scale(result.all);
+    for (Deviation& d : result.of_sheet)
+      scale(d);
+    result.all.bilinear = model_.unit * bilinear_excess(mesh_.complex, model_.in_units(positions));
     if (std::isfinite(parameters_.maximum_deviation))
-      result.certified = model_.unit * certified_deviation(mesh_.complex, model_.in_units(positions), *model_.surface,
+      result.all.certified = model_.unit * certified_deviation(model_.faces, model_.in_units(positions), *model_.surface,
                                                            parameters_.maximum_deviation / model_.unit,
                                                            parameters_.certification)
                                          .upper_bound;
@@ -140,14 +155,20 @@ private:
     return false;
   }
 
-  double volume_of(const Positions& positions) const
+  // Of all, and of each label.
+  double measure_volumes(const Positions& positions, double Region_volume::*of_region)
   {
     double sum = 0;
-    for (const Hexahedron& h : mesh_.complex.hexahedra) {
+    for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h) {
       Vector_3 corners[8];
       for (int k = 0; k < 8; ++k)
-        corners[k] = positions[h[k]];
-      sum += volume(corners);
+        corners[k] = positions[mesh_.complex.hexahedra[h][k]];
+      const double v = volume(corners);
+      sum += v;
+      const auto region =
+        std::lower_bound(status.regions.begin(), status.regions.end(), mesh_.complex.label(static_cast<int>(h)),
+                         [](const Region_volume& r, int label) { return r.label < label; });
+      (*region).*of_region += v;
     }
     return sum;
   }
@@ -155,14 +176,14 @@ private:
   // Whether the input is as good as a mesh can be, and on its reference: what may still change is rounding.
   bool is_perfect() const
   {
-    return status.before.minimum >= 1 - rounding && measured_deviation(mesh_.points).maximum_relative <= rounding;
+    return status.before.minimum >= 1 - rounding && measured_deviations(mesh_.points).all.maximum_relative <= rounding;
   }
 
   // In the order of goals; quality is kept where nothing comes before it.
   bool is_worse(double excess_before, double excess) const
   {
     if (std::isfinite(parameters_.maximum_deviation)) {
-      excess_before = excess_over_bound(measured_deviation(mesh_.points));
+      excess_before = excess_over_bound(measured_deviations(mesh_.points).all);
       excess = excess_over_bound(status.deviation);
     }
     const Standing before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before,

@@ -9,14 +9,17 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -109,6 +112,27 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
     };
   }
   return p;
+}
+
+// keys: of the hexahedra, by which the map of the caller is asked
+template <class NamedParameters, class Key>
+Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
+{
+  Regions result;
+  if constexpr (is_given<NamedParameters, internal_np::hexahedron_label_map_t>) {
+    const auto map = parameters::get_parameter(np, internal_np::hexahedron_label_map);
+    for (const Key& key : keys)
+      result.labels.push_back(static_cast<int>(get(map, key)));
+  }
+  if constexpr (is_given<NamedParameters, internal_np::hex_internal_faces_t>)
+    for (const auto& face : parameters::get_parameter(np, internal_np::hex_internal_faces)) {
+      std::array<int, 4> vertices;
+      auto v = std::begin(face);
+      for (int& corner : vertices)
+        corner = static_cast<int>(*v++);
+      result.faces.push_back(vertices);
+    }
+  return result;
 }
 
 template <class NamedParameters, class Key>

@@ -27,8 +27,9 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // Moves the points, or throws Input_error and leaves them.
 // reference: null when the boundary of the mesh is its own reference.
 CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
-Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
-                  const std::vector<char>& is_frozen, const Optimization_parameters& parameters);
+Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions,
+                  const Reference_input* reference, const std::vector<char>& is_frozen,
+                  const Optimization_parameters& parameters);
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 

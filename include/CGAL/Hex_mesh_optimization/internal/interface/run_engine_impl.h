@@ -16,12 +16,13 @@
 namespace CGAL::Hex_mesh_optimization::internal {
 
 CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
-Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Reference_input* reference,
-                  const std::vector<char>& is_frozen, const Optimization_parameters& parameters)
+Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions,
+                  const Reference_input* reference, const std::vector<char>& is_frozen,
+                  const Optimization_parameters& parameters)
 {
   Status status;
   run_concurrently(parameters.is_parallel, [&] {
-    Hex_mesh_optimizer optimizer(points, hexahedra, reference, is_frozen, parameters);
+    Hex_mesh_optimizer optimizer(points, hexahedra, regions, reference, is_frozen, parameters);
     status = optimizer.run();
     points = optimizer.positions();
   });

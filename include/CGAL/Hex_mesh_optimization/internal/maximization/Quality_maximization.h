@@ -83,8 +83,9 @@ public:
       if (!tightens && (is_done || i == parameters_.climbing_iterations)) {
         tightens = true;
         used_up = !is_done;
-        weigh_shape((samples_.is_bounded() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
-                    (parameters_.shape_balance_offset + 1 - quality.average));
+        shape_ = (samples_.is_bounded_everywhere() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
+                 (parameters_.shape_balance_offset + 1 - quality.average);
+        weigh_shape();
         sliding_.call_all();
         if (relations_)
           adapt_lengths(points);
@@ -132,6 +133,11 @@ public:
         }
         else if (excess < parameters_.excess_part * least_excess)
           least_excess = excess;
+        else if (samples_.is_bounded() && !samples_.is_bounded_everywhere() &&
+                 shape_yield_ > parameters_.least_shape_yield) {
+          shape_yield_ *= parameters_.shape_yielding;
+          weigh_shape();
+        }
         else
           floor_.yield(parameters_.yielding);
       }
@@ -201,12 +207,11 @@ private:
     hexahedra_.set_target_lengths(lengths_);
   }
 
-  // Multiplies both weights of the shape.
-  void weigh_shape(double factor)
+  void weigh_shape()
   {
     Hexahedron_energy_parameters energy = parameters_.energy;
-    energy.shape_weight *= factor;
-    energy.poor_shape_weight *= factor;
+    energy.shape_weight *= shape_ * shape_yield_;
+    energy.poor_shape_weight *= shape_ * shape_yield_;
     hexahedra_.set_parameters(energy);
   }
 
@@ -222,6 +227,7 @@ private:
   Boundary_energy boundary_;
   Sliding& sliding_;
   std::vector<double> lengths_; // targets of the edges
+  double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -6,6 +6,9 @@
 
 // The connectivity of a hexahedral mesh in flat arrays: edges, boundary faces
 // and the incidences that the optimization walks along.
+//
+// A mesh may have several regions. Its boundary is all of their boundaries, each face once: those with nothing beyond,
+// and those between two regions. Nowhere need it be a manifold.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
@@ -23,6 +26,13 @@ namespace CGAL::Hex_mesh_optimization::internal {
 
 using Hexahedron = std::array<int, 8>;
 
+// What divides a mesh.
+struct Regions
+{
+  std::vector<int> labels;               // of the hexahedra; none: all are in one region
+  std::vector<std::array<int, 4>> faces; // within a region that belong to the boundary all the same, in any order
+};
+
 // A directed edge is 2e when it runs from edges[e][0] to edges[e][1], else 2e+1.
 inline int opposite_edge(int directed) { return directed ^ 1; }
 
@@ -33,23 +43,26 @@ public:
   {
     std::array<int, 4> vertices; // counter-clockwise seen from outside
     int hexahedron;
+    int beyond; // the hexahedron on the other side, which is in the region of the higher label; or -1
   };
 
   // An edge of the boundary surface; left holds the face that runs along the
-  // edge in its own direction, right the other one.
+  // edge in its own direction, right the other one. Where the boundary is not a
+  // manifold, left is one of the faces, right -1.
   struct Boundary_edge
   {
     int edge;
     int left, right;
   };
 
-  Hexahedral_complex(std::size_t number_of_vertices, std::vector<Hexahedron> hexahedra)
+  Hexahedral_complex(std::size_t number_of_vertices, std::vector<Hexahedron> hexahedra, const Regions& regions = {})
     : hexahedra(std::move(hexahedra))
+    , labels(regions.labels)
     , is_on_boundary(number_of_vertices, false)
     , is_used(number_of_vertices, false)
   {
     number_edges();
-    pair_faces();
+    pair_faces(regions.faces);
     number_boundary_edges();
     vertex_hexahedra = Grouped_array(
       number_of_vertices, this->hexahedra.size() * 8, [this](std::size_t k) { return this->hexahedra[k / 8][k % 8]; },
@@ -58,20 +71,23 @@ public:
       number_of_vertices, boundary_faces.size() * 4,
       [this](std::size_t k) { return boundary_faces[k / 4].vertices[k % 4]; },
       [](std::size_t k) { return static_cast<int>(k / 4); });
-    require_manifold_vertices();
+    find_singular_vertices();
   }
 
   std::size_t number_of_vertices() const { return is_on_boundary.size(); }
+  int label(int hexahedron) const { return labels.empty() ? 0 : labels[hexahedron]; }
 
   int source(int directed) const { return edges[directed / 2][directed & 1]; }
   int target(int directed) const { return edges[directed / 2][1 - (directed & 1)]; }
 
   std::vector<Hexahedron> hexahedra;
+  std::vector<int> labels;                                        // of the hexahedra, or none
   std::vector<std::array<int, 2>> edges;                          // sorted; the smaller index first
   std::vector<std::array<int, 12>> hexahedron_edges;              // directed edges, in the order of the table
   std::vector<std::array<std::pair<int, int>, 2>> interior_faces; // (hexahedron, local face) of either side
-  std::vector<Boundary_face> boundary_faces;
+  std::vector<Boundary_face> boundary_faces; // those with nothing beyond first
   std::vector<Boundary_edge> boundary_edges;
+  std::vector<char> is_singular;      // of a vertex: around it the boundary is not one disk
   std::vector<char> is_on_boundary;   // of a vertex
   std::vector<char> is_boundary_edge; // of an edge
   std::vector<char> is_used;          // of a vertex: has a hexahedron
@@ -106,11 +122,20 @@ private:
 
   static int hexahedron_edges_table(int k, int end) { return internal::hexahedron_edges[k][end]; }
 
-  void pair_faces()
+  using Face_key = std::array<int, 4>; // its vertices, sorted
+
+  static Face_key key_of(Face_key face)
+  {
+    std::sort(face.begin(), face.end());
+    return face;
+  }
+
+  // listed: faces that belong to the boundary though they do not divide regions.
+  void pair_faces(const std::vector<std::array<int, 4>>& listed)
   {
     struct Keyed_face
     {
-      std::array<int, 4> key;
+      Face_key key;
       int hexahedron, face;
       bool operator<(const Keyed_face& other) const
       {
@@ -120,14 +145,16 @@ private:
     std::vector<Keyed_face> keyed;
     keyed.reserve(6 * hexahedra.size());
     for (std::size_t h = 0; h < hexahedra.size(); ++h)
-      for (int f = 0; f < 6; ++f) {
-        Keyed_face face{face_vertices(static_cast<int>(h), f), static_cast<int>(h), f};
-        std::sort(face.key.begin(), face.key.end());
-        keyed.push_back(face);
-      }
+      for (int f = 0; f < 6; ++f)
+        keyed.push_back({key_of(face_vertices(static_cast<int>(h), f)), static_cast<int>(h), f});
     std::sort(keyed.begin(), keyed.end());
-    std::vector<std::pair<int, int>>
-      alone; // in the order of the hexahedra, so that nothing depends on the numbering of vertices
+    std::vector<Face_key> listed_keys;
+    for (const std::array<int, 4>& face : listed)
+      listed_keys.push_back(key_of(face));
+    std::sort(listed_keys.begin(), listed_keys.end());
+    // in the order of the hexahedra, so that nothing depends on the numbering of vertices
+    std::vector<std::pair<int, int>> alone;
+    std::vector<std::array<std::pair<int, int>, 2>> dividing;
     for (std::size_t i = 0; i < keyed.size();) {
       std::size_t end = i + 1;
       while (end < keyed.size() && keyed[end].key == keyed[i].key)
@@ -137,54 +164,138 @@ private:
                           "hexahedron " + std::to_string(keyed[i + 2].hexahedron) +
                             " is the third one on a face that hexahedra " + std::to_string(keyed[i].hexahedron) +
                             " and " + std::to_string(keyed[i + 1].hexahedron) + " already share");
-      if (end - i == 2)
-        interior_faces.push_back({std::make_pair(keyed[i].hexahedron, keyed[i].face),
-                                  std::make_pair(keyed[i + 1].hexahedron, keyed[i + 1].face)});
+      const std::pair<int, int> first(keyed[i].hexahedron, keyed[i].face);
+      if (end - i == 2) {
+        const std::pair<int, int> second(keyed[i + 1].hexahedron, keyed[i + 1].face);
+        interior_faces.push_back({first, second});
+        const int a = label(first.first), b = label(second.first);
+        if (a != b || std::binary_search(listed_keys.begin(), listed_keys.end(), keyed[i].key))
+          dividing.push_back(b < a ? std::array{second, first} : std::array{first, second});
+      }
       else
-        alone.emplace_back(keyed[i].hexahedron, keyed[i].face);
+        alone.push_back(first);
       i = end;
     }
     std::sort(interior_faces.begin(), interior_faces.end());
     std::sort(alone.begin(), alone.end());
+    std::sort(dividing.begin(), dividing.end());
     for (const auto& face : interior_faces)
       require_opposite_orientation(face);
-    for (const auto& face : alone) {
-      boundary_faces.push_back({face_vertices(face.first, face.second), face.first});
-      for (int v : boundary_faces.back().vertices)
+    for (const auto& face : alone)
+      boundary_faces.push_back({face_vertices(face.first, face.second), face.first, -1});
+    for (const auto& sides : dividing)
+      boundary_faces.push_back({face_vertices(sides[0].first, sides[0].second), sides[0].first, sides[1].first});
+    for (const Boundary_face& face : boundary_faces)
+      for (int v : face.vertices)
         is_on_boundary[v] = true;
-    }
   }
 
-  void number_boundary_edges()
+  struct Boundary_side
   {
-    is_boundary_edge.assign(edges.size(), false);
-    std::vector<std::array<int, 3>> sides; // edge, reversed, face
+    int edge;
+    bool is_reversed; // it runs from the higher to the lower vertex
+    int face;
+
+    bool operator<(const Boundary_side& other) const
+    {
+      return std::tie(edge, is_reversed, face) < std::tie(other.edge, other.is_reversed, other.face);
+    }
+  };
+
+  // Sorted.
+  std::vector<Boundary_side> boundary_sides() const
+  {
+    std::vector<Boundary_side> sides;
     sides.reserve(4 * boundary_faces.size());
     for (std::size_t f = 0; f < boundary_faces.size(); ++f)
       for (int k = 0; k < 4; ++k) {
         const int a = boundary_faces[f].vertices[k], b = boundary_faces[f].vertices[(k + 1) % 4];
-        sides.push_back({find_edge(a, b) / 2, a < b ? 0 : 1, static_cast<int>(f)});
+        sides.push_back({find_edge(a, b) / 2, b < a, static_cast<int>(f)});
       }
     std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 0; i < sides.size(); i += 2) {
-      const std::array<int, 3>& left = sides[i];
-      if (i + 1 == sides.size() || sides[i + 1][0] != left[0] || sides[i + 1][1] == left[1] ||
-          (i + 2 < sides.size() && sides[i + 2][0] == left[0]))
-        throw Input_error(Input_error::Element::HEXAHEDRON, boundary_faces[left[2]].hexahedron,
-                          "the boundary is not a manifold along the edge from vertex " +
-                            std::to_string(edges[left[0]][0]) + " to vertex " + std::to_string(edges[left[0]][1]) +
-                            " of hexahedron " + std::to_string(boundary_faces[left[2]].hexahedron));
-      is_boundary_edge[left[0]] = true;
-      boundary_edges.push_back({left[0], left[2], sides[i + 1][2]});
+    return sides;
+  }
+
+  void number_boundary_edges()
+  {
+    orient_faces_within_regions();
+    is_boundary_edge.assign(edges.size(), false);
+    const std::vector<Boundary_side> sides = boundary_sides();
+    for (std::size_t i = 0, end; i < sides.size(); i = end) {
+      for (end = i + 1; end < sides.size() && sides[end].edge == sides[i].edge;)
+        ++end;
+      const bool is_manifold = end - i == 2 && !sides[i].is_reversed && sides[i + 1].is_reversed;
+      is_boundary_edge[sides[i].edge] = true;
+      boundary_edges.push_back({sides[i].edge, sides[i].face, is_manifold ? sides[i + 1].face : -1});
     }
   }
 
-  // Around a manifold boundary vertex, one closed fan holds all boundary faces.
-  void require_manifold_vertices() const
+  // What divides two regions is seen from that of the lower label. Faces within a region have no such side: each sheet
+  // of them takes that of its first face.
+  void orient_faces_within_regions()
   {
+    const auto is_within = [&](int f) {
+      return boundary_faces[f].beyond >= 0 &&
+             label(boundary_faces[f].hexahedron) == label(boundary_faces[f].beyond);
+    };
+    const int n = static_cast<int>(boundary_faces.size());
+    int first = 0;
+    while (first < n && !is_within(first))
+      ++first;
+    if (first == n)
+      return;
+    struct Neighbor
+    {
+      int face;
+      bool is_opposite; // it runs along the common edge in the same direction
+    };
+    std::vector<std::vector<Neighbor>> neighbors(n);
+    const std::vector<Boundary_side> sides = boundary_sides();
+    for (std::size_t i = 0, end; i < sides.size(); i = end) {
+      for (end = i + 1; end < sides.size() && sides[end].edge == sides[i].edge;)
+        ++end;
+      const int a = sides[i].face, b = sides[end - 1].face;
+      if (end - i != 2 || !is_within(a) || !is_within(b))
+        continue;
+      const bool is_opposite = sides[i].is_reversed == sides[i + 1].is_reversed;
+      neighbors[a].push_back({b, is_opposite});
+      neighbors[b].push_back({a, is_opposite});
+    }
+    std::vector<char> is_done(n, false);
+    std::vector<std::pair<int, bool>> reached; // a face, and whether it is to be turned
+    for (int start = first; start < n; ++start) {
+      if (!is_within(start) || is_done[start])
+        continue;
+      is_done[start] = true;
+      reached.assign(1, {start, false});
+      while (!reached.empty()) {
+        const auto [f, turns] = reached.back();
+        reached.pop_back();
+        if (turns) {
+          Boundary_face& face = boundary_faces[f];
+          std::swap(face.vertices[1], face.vertices[3]);
+          std::swap(face.hexahedron, face.beyond);
+        }
+        for (const Neighbor& next : neighbors[f])
+          if (!is_done[next.face]) {
+            is_done[next.face] = true;
+            reached.emplace_back(next.face, turns != next.is_opposite);
+          }
+      }
+    }
+  }
+
+  // Around a vertex of a manifold, one closed fan holds all boundary faces.
+  void find_singular_vertices()
+  {
+    is_singular.assign(number_of_vertices(), false);
+    for (const Boundary_edge& e : boundary_edges)
+      if (e.right < 0)
+        for (int v : edges[e.edge])
+          is_singular[v] = true;
     for (std::size_t v = 0; v < number_of_vertices(); ++v) {
       const auto faces = vertex_boundary_faces[v];
-      if (faces.size() == 0)
+      if (faces.size() == 0 || is_singular[v])
         continue;
       const int v_index = static_cast<int>(v);
       const auto corner = [&](int f) {
@@ -202,9 +313,7 @@ private:
             next = g;
         f = next;
       } while (f != faces[0] && f >= 0 && visited <= faces.size());
-      if (visited != faces.size())
-        throw Input_error(Input_error::Element::VERTEX, v,
-                          "the boundary is not a manifold at vertex " + std::to_string(v));
+      is_singular[v] = visited != faces.size();
     }
   }
 

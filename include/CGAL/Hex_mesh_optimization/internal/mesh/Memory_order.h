@@ -74,6 +74,19 @@ public:
     return result;
   }
 
+  Regions ordered(const Regions& given) const
+  {
+    Regions result;
+    for (std::size_t h = 0; h < given.labels.size(); ++h)
+      result.labels.push_back(given.labels[hexahedra_[h]]);
+    for (std::array<int, 4> face : given.faces) {
+      for (int& v : face)
+        v = new_vertex_[v];
+      result.faces.push_back(face);
+    }
+    return result;
+  }
+
   template <class T>
   std::vector<T> as_given(const std::vector<T>& of_vertices) const
   {

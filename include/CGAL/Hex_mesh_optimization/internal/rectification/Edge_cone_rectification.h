@@ -37,9 +37,10 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Edge_cone_rectification
 {
 public:
-  // Positions are in units of the mean boundary edge; lengths are the targets.
+  // Positions are in units of the mean boundary edge; lengths are the targets. faces: of the complex, with the sheets of
+  // the surface
   Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations,
-                          const Reference_surface& surface, const Boundary_attachment& attachment,
+                          const Surface_faces& faces, const Reference_surface& surface, const Boundary_attachment& attachment,
                           const std::vector<char>& is_fixed, std::vector<double> lengths,
                           const Rectification_parameters& parameters)
     : complex_(complex)
@@ -49,7 +50,7 @@ public:
     , lengths_(std::move(lengths))
     , cones_(complex)
     , global_(complex, relations, cones_, is_fixed, parameters_)
-    , links_(boundary_surface_faces(complex).quads, surface, parameters.reference_spacing)
+    , links_(faces, surface, parameters.reference_spacing)
     , weights_(complex.number_of_vertices(), 1.0)
     , feet_(complex.number_of_vertices())
     , targets_(cones_.size())
@@ -97,7 +98,7 @@ private:
       points.size(),
       [&](std::size_t v) {
         if (is_smooth(static_cast<int>(v)))
-          feet_[v] = surface_.foot_point(points[v], feet_[v].hint);
+          feet_[v] = surface_.foot_point(points[v], feet_[v].hint, attachment_.sheet[v]);
       },
       64);
     const double worst_cosine = local_step(points, maximizing);

@@ -57,9 +57,9 @@ public:
     return best;
   }
 
-  // Lists the triangles of a surface that are close to p. distance: about that of the closest. False if there are so
-  // many that a tree is faster; it stays so until reset.
-  bool list(std::size_t i, const Vector_3& p, double distance, const Triangle_surface& surface)
+  // Lists the triangles of a sheet of a surface that are close to p. distance: about that of the closest. False if
+  // there are so many that a tree is faster; it stays so until reset.
+  bool list(std::size_t i, const Vector_3& p, double distance, const Triangle_surface& surface, int sheet = 0)
   {
     List& list = lists_[i];
     for (double reach : {distance + 2 * margin, distance + 1.2 * margin}) {
@@ -69,7 +69,7 @@ public:
       list.reach = reach;
       list.size = 0;
       bool is_full = false;
-      surface.for_triangles_near(p, reach, [&](std::size_t triangle) {
+      const auto add = [&](std::size_t triangle) {
         const Surface_point candidate = closest_point_of_triangle(p, triangle, surface.points, surface.triangles);
         if ((candidate.point - p).squaredNorm() > reach * reach)
           return;
@@ -77,7 +77,8 @@ public:
           is_full = true;
         else
           list.triangles[list.size++] = static_cast<int>(triangle);
-      });
+      };
+      surface.for_triangles_near(p, reach, add, sheet);
       if (!is_full)
         return true;
     }
@@ -86,14 +87,14 @@ public:
     return false;
   }
 
-  // As above, but lists the triangles anew where that is needed; nothing if there are too many. before: one of them, at
-  // best that which was the closest to where the point came from.
+  // As above, but lists the triangles anew where that is needed; nothing if there are too many. before: a triangle of
+  // the sheet that is searched, at best that which was the closest to where the point came from.
   std::optional<Surface_point> closest(std::size_t i, const Vector_3& p, std::size_t before,
                                        const Positions& triangle_points, const Triangle_surface& surface, double moved)
   {
     std::optional<Surface_point> q = closest(i, p, triangle_points, surface.triangles, moved);
     if (!q && list(i, p, (closest_point_of_triangle(p, before, triangle_points, surface.triangles).point - p).norm(),
-                   surface))
+                   surface, surface.sheet(before)))
       q = closest(i, p, triangle_points, surface.triangles, moved);
     return q;
   }

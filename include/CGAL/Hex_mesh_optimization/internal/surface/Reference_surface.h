@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -32,16 +33,18 @@ struct Foot_point : Surface_point
   Vector_3 normal = Vector_3::Zero(); // unit length, outwards; smooth between feature curves
 };
 
-// What makes a corner: a curve that ends, one that turns, or several that meet.
+// What makes a corner: a curve that ends, one that turns, or several that meet, as do sheets that touch in a vertex.
 enum class Corner_rank : char { END, TURN, JUNCTION };
 
 class Reference_surface : public Triangle_surface
 {
 public:
-  // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise.
+  // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise. sheets: as for
+  // Triangle_surface. singular: vertices that are corners, whether or not curves meet there.
   Reference_surface(Positions points, std::vector<Triangle_indices> triangles, Edge_list sharp, bool keep_all,
-                    const Feature_parameters& parameters)
-    : Reference_surface(points, std::move(triangles),
+                    const Feature_parameters& parameters, std::vector<int> sheets = {},
+                    std::vector<int> singular = {})
+    : Reference_surface(points, std::move(triangles), std::move(sheets), std::move(singular),
                         Feature_curve_tracer(points, triangles, std::move(sharp), keep_all, parameters))
   {}
 
@@ -51,15 +54,17 @@ public:
     return normals_.at(triangle, coordinates);
   }
 
-  // hint: as for closest_point()
-  Foot_point foot_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint) const
+  // hint, sheet: as for closest_point()
+  Foot_point foot_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint, int sheet = 0) const
   {
-    const Surface_point q = closest_point(query, hint);
+    const Surface_point q = closest_point(query, hint, sheet);
     return {q, normal(q.triangle, q.coordinates)};
   }
 
   Corner_rank corner_rank(int corner) const
   {
+    if (std::binary_search(singular_.begin(), singular_.end(), corner))
+      return Corner_rank::JUNCTION;
     const std::size_t ends = std::count(curve_ends_.begin(), curve_ends_.end(), corner);
     return ends < 2 ? Corner_rank::END : ends == 2 ? Corner_rank::TURN : Corner_rank::JUNCTION;
   }
@@ -69,14 +74,23 @@ public:
 
 private:
   // features: of the points and triangles
-  Reference_surface(const Positions& points, std::vector<Triangle_indices>&& triangles,
-                    const Feature_curve_tracer& features)
-    : Triangle_surface(points, std::move(triangles))
+  Reference_surface(const Positions& points, std::vector<Triangle_indices>&& triangles, std::vector<int>&& sheets,
+                    std::vector<int>&& singular, const Feature_curve_tracer& features)
+    : Triangle_surface(points, std::move(triangles), std::move(sheets))
     , curves(curves_through(features.curves(), points))
-    , corners(features.corners())
+    , corners(united(features.corners(), singular))
     , curve_ends_(ends_of(features.curves()))
+    , singular_(std::move(singular))
     , normals_(*this, edges_of(features.curves()))
   {}
+
+  // Of two sorted lists.
+  static std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b)
+  {
+    std::vector<int> result;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+    return result;
+  }
 
   static std::vector<int> ends_of(const std::vector<std::vector<int>>& curves)
   {
@@ -107,6 +121,7 @@ private:
   }
 
   const std::vector<int> curve_ends_; // vertices, each as often as a curve begins or ends there
+  const std::vector<int> singular_;   // sorted
   const Smooth_normals normals_;
 };
 

@@ -4,8 +4,11 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 
-// Triangles behind a tree: the closest point, and all triangles near a point. It is
+// Triangles behind trees: the closest point, and all triangles near a point. It is
 // the reference as well as the boundary of the mesh, or a part of it.
+//
+// A surface may consist of sheets, each of which is searched for itself: what belongs to one is not mistaken for
+// another that is close, or that meets it.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
@@ -15,30 +18,44 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// Not copyable: the tree points into the triangles.
+// Not copyable: the trees point into the triangles.
 class Triangle_surface
 {
 public:
-  Triangle_surface(Positions points, std::vector<Triangle_indices> triangles)
+  // sheets: of the triangles, counted from 0; none: all are in one.
+  Triangle_surface(Positions points, std::vector<Triangle_indices> triangles, std::vector<int> sheets = {})
     : points(std::move(points))
     , triangles(std::move(triangles))
+    , sheets(std::move(sheets))
   {
-    for (std::size_t t = 0; t < this->triangles.size(); ++t) {
-      if (!has_area(this->points, this->triangles[t]))
-        continue;
+    for (std::size_t t = 0; t < this->triangles.size(); ++t)
+      if (has_area(this->points, this->triangles[t]))
+        index_.push_back(t);
+    std::stable_sort(index_.begin(), index_.end(), [&](std::size_t a, std::size_t b) { return sheet(a) < sheet(b); });
+    soup_.reserve(index_.size());
+    for (std::size_t t : index_)
       soup_.push_back(triangle(this->points, this->triangles[t]));
-      index_.push_back(t);
+    const int count = this->sheets.empty() ? 1 : 1 + *std::max_element(this->sheets.begin(), this->sheets.end());
+    sheets_.resize(count);
+    for (std::size_t i = 0; i < index_.size(); ++i)
+      ++sheets_[sheet(index_[i])].size;
+    std::size_t begin = 0;
+    for (Sheet& s : sheets_) {
+      s.begin = begin;
+      begin += s.size;
+      s.tree = std::make_unique<Tree>(soup_.begin() + s.begin, soup_.begin() + begin);
+      s.tree->build();
     }
-    tree_.insert(soup_.begin(), soup_.end());
-    tree_.build();
   }
 
   Triangle_surface(const Triangle_surface&) = delete;
@@ -52,33 +69,39 @@ public:
   // Whether no triangle has an area.
   bool is_empty() const { return soup_.empty(); }
 
+  std::size_t number_of_sheets() const { return sheets_.size(); }
+  int sheet(std::size_t triangle) const { return sheets.empty() ? 0 : sheets[triangle]; }
+
+  // In a sheet; if nothing of that has an area, in one that has. The surface must not be empty.
   // hint: that of an earlier result nearby; it saves time, whatever it is. The first search without
   // one takes much longer than the next ones.
-  Surface_point closest_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint) const
+  Surface_point closest_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint, int sheet = 0) const
   {
+    const Sheet& s = searched(sheet);
     const aabb::Kernel::Point_3 q = aabb::point(query);
-    const auto found = hint < soup_.size() ? tree_.closest_point_and_primitive(
-                                               q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q),
-                                                   soup_.begin() + hint})
-                                           : tree_.closest_point_and_primitive(q);
+    const auto found = s.has(hint) ? s.tree->closest_point_and_primitive(
+                                       q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q),
+                                           soup_.begin() + hint})
+                                   : s.tree->closest_point_and_primitive(q);
     return surface_point(found);
   }
 
-  // The point closest to the query, if it is closer than the given one.
-  std::optional<Surface_point> closer_point(const Vector_3& query, const Vector_3& given) const
+  // The point of a sheet closest to the query, if it is closer than the given one.
+  std::optional<Surface_point> closer_point(const Vector_3& query, const Vector_3& given, int sheet = 0) const
   {
-    if (is_empty())
+    if (std::size_t(sheet) >= sheets_.size() || sheets_[sheet].size == 0)
       return std::nullopt;
+    const Sheet& s = sheets_[sheet];
     const aabb::Kernel::Point_3 bound = aabb::point(given);
-    const auto found = tree_.closest_point_and_primitive(aabb::point(query), {bound, soup_.begin()});
+    const auto found = s.tree->closest_point_and_primitive(aabb::point(query), {bound, soup_.begin() + s.begin});
     if (found.first == bound)
       return std::nullopt;
     return surface_point(found);
   }
 
-  // Calls visit(triangle) for those that are not degenerate and whose bounding boxes overlap that of a ball.
+  // Calls visit(triangle) for those of a sheet that are not degenerate and whose bounding boxes overlap that of a ball.
   template <class Visit>
-  void for_triangles_near(const Vector_3& center, double radius, const Visit& visit) const
+  void for_triangles_near(const Vector_3& center, double radius, const Visit& visit, int sheet = 0) const
   {
     const Vector_3 low = center.array() - radius, high = center.array() + radius;
     const CGAL::Bbox_3 box(low[0], low[1], low[2], high[0], high[1], high[2]);
@@ -87,15 +110,33 @@ public:
         visit(index_[triangle - soup_.begin()]);
     };
     aabb::Box_traversal<decltype(visit_primitive)> traversal{visit_primitive};
-    tree_.traversal(box, traversal);
+    sheets_[sheet].tree->traversal(box, traversal);
   }
 
   const Vector_3& corner(std::size_t triangle, int k) const { return points[triangles[triangle][k]]; }
 
   const Positions points;
   const std::vector<Triangle_indices> triangles;
+  const std::vector<int> sheets; // of the triangles, or none
 
 private:
+  using Tree = CGAL::AABB_tree<aabb::Triangle_traits>;
+
+  struct Sheet
+  {
+    std::size_t begin = 0, size = 0; // in the soup
+    std::unique_ptr<Tree> tree;
+
+    bool has(std::size_t place) const { return place >= begin && place - begin < size; }
+  };
+
+  const Sheet& searched(int sheet) const
+  {
+    if (std::size_t(sheet) < sheets_.size() && sheets_[sheet].size > 0)
+      return sheets_[sheet];
+    return *std::find_if(sheets_.begin(), sheets_.end(), [](const Sheet& s) { return s.size > 0; });
+  }
+
   static aabb::Kernel::Triangle_3 triangle(const Positions& points, const Triangle_indices& t)
   {
     return aabb::Kernel::Triangle_3(aabb::point(points[t[0]]), aabb::point(points[t[1]]), aabb::point(points[t[2]]));
@@ -111,9 +152,9 @@ private:
     return {point, {1 - b - c, b, c}, t, place};
   }
 
-  std::vector<aabb::Kernel::Triangle_3> soup_; // without the degenerate triangles, which have no normal
+  std::vector<aabb::Kernel::Triangle_3> soup_; // sheet by sheet, without the degenerate triangles: they have no normal
   std::vector<std::size_t> index_;             // of each, in triangles
-  CGAL::AABB_tree<aabb::Triangle_traits> tree_;
+  std::vector<Sheet> sheets_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -8,10 +8,12 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -21,6 +23,7 @@ struct Surface_sample
   Vector_3 point;
   double area; // that the sample stands for; 0 for vertices
   int vertex;  // -1 within a triangle
+  int sheet;
 };
 
 // How many times a surface is larger than could be said to be of the size of the mesh, at least 1.
@@ -35,29 +38,44 @@ inline double oversize(const Positions& points, const std::vector<Triangle_indic
   return (std::max)(1.0, area / (largest_area * double(number_of_boundary_faces)));
 }
 
-// The vertices, and in every triangle the centers of a lattice of n² equal parts with edges of about the given length;
-// the number of samples of an oversized surface is in proportion to the mesh, not to the surface.
-inline std::vector<Surface_sample> spread_samples(const Positions& points,
-                                                  const std::vector<Triangle_indices>& triangles,
-                                                  std::size_t number_of_boundary_faces, double spacing)
+// The triangles of a surface, sheet by sheet.
+inline std::vector<std::size_t> triangles_by_sheets(const Triangle_surface& surface)
 {
+  std::vector<std::size_t> order(surface.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return surface.sheet(a) < surface.sheet(b); });
+  return order;
+}
+
+// The vertices, and in every triangle the centers of a lattice of n² equal parts with edges of about the given length;
+// the number of samples of an oversized surface is in proportion to the mesh, not to the surface. Sheet by sheet: a
+// vertex on several of them is a sample of each.
+inline std::vector<Surface_sample> spread_samples(const Triangle_surface& surface, std::size_t number_of_boundary_faces,
+                                                  double spacing)
+{
+  const Positions& points = surface.points;
   const double most_parts = 64; // a triangle this many times longer than the spacing is sampled more coarsely
-  const double excess = oversize(points, triangles, number_of_boundary_faces);
+  const double excess = oversize(points, surface.triangles, number_of_boundary_faces);
   std::vector<Surface_sample> samples;
-  std::vector<char> seen(points.size(), false);
-  for (const Triangle_indices& t : triangles) {
+  std::vector<int> seen(points.size(), -1); // in a sheet
+  for (std::size_t triangle : triangles_by_sheets(surface)) {
+    const Triangle_indices& t = surface.triangles[triangle];
+    const int sheet = surface.sheet(triangle);
     const Vector_3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     for (int v : t)
-      if (!seen[v]) {
-        seen[v] = true;
-        samples.push_back({points[v], 0.0, v});
+      if (seen[v] != sheet) {
+        seen[v] = sheet;
+        samples.push_back({points[v], 0.0, v, sheet});
       }
     const double doubled = (b - a).cross(c - a).norm();
     const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
     const double extent = excess > 1 ? std::sqrt(doubled / excess) : longest; // needles would have too many samples
     const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(extent / spacing), most_parts)));
     const double area = doubled / 2 / (double(n) * n);
-    const auto add = [&](double u, double v) { samples.push_back({a + u / n * (b - a) + v / n * (c - a), area, -1}); };
+    const auto add = [&](double u, double v) {
+      samples.push_back({a + u / n * (b - a) + v / n * (c - a), area, -1, sheet});
+    };
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {
         add(i + 1 / 3.0, j + 1 / 3.0);
