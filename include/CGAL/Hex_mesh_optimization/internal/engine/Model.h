@@ -96,6 +96,9 @@ public:
   const std::vector<double> lengths; // targets of the edges
 
 private:
+  // Of an edge whose length is asked for: far thinner than boundary layers are, but not nothing.
+  static constexpr double least_input_length = 1e-5;
+
   // Throws Input_error if it cannot be used.
   static bool is_given(const Reference_input* reference)
   {
@@ -305,7 +308,7 @@ private:
     if (parameters.target_edge_lengths == Target_edge_lengths::INPUT) {
       std::vector<double> lengths = edge_lengths(mesh.complex, points);
       for (double& l : lengths)
-        l = (std::max)(l, parameters.rectification.least_length);
+        l = (std::max)(l, least_input_length);
       return lengths;
     }
     return lengths_are_estimated ? estimate_edge_lengths(mesh.complex, relations, points)
