@@ -121,7 +121,7 @@ private:
     hexahedron_labels.clear();
     std::size_t next = 0; // of the other cells
     for (std::size_t c = 0; c < labels.size(); ++c)
-      if (next < other_cells.size() && other_cells[next].number_of_hexahedra_before == hexahedron_labels.size())
+      if (next < other_cells.size() && other_cells[next].number_of_hexahedra_before <= hexahedron_labels.size())
         other_cells[next++].label = labels[c];
       else
         hexahedron_labels.push_back(labels[c]);

@@ -49,6 +49,9 @@ struct Hex_mesh_data_array
   std::size_t number_of_components = 1;
   Values values; ///< tuple after tuple
 
+  /// the name of the type in a `.vtk` file, where several stand for it (`long`, `vtktypeint64`), or empty
+  std::string type_name;
+
   std::string lookup_table; ///< the name of the table of a `.vtk` file that scalars are shown with, or empty
 
   /// what else a `.vtk` file says of the array, as the text of its `METADATA` block, or empty
