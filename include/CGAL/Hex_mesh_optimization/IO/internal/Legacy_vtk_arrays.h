@@ -76,7 +76,10 @@ public:
         break;
       end = scanner_.position();
     }
-    return std::string(scanner_.text().substr(begin, end - begin));
+    std::string text(scanner_.text().substr(begin, end - begin));
+    if (!text.empty() && text.back() != '\n') // the file ends here
+      text += '\n';
+    return text;
   }
 
   // The arrays of a field; the keyword has been read.

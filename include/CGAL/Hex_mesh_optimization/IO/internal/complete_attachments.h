@@ -45,7 +45,9 @@ inline void complete_attachments(Mesh_file_content& content)
   leave_out(attachments.cell_data, content.hexahedra.size() + attachments.other_cells.size(), "cells");
   for (const Array& array : attachments.point_data)
     if (array.name == medit_label_name && array.number_of_components == 1 &&
-        !integer_labels(array, attachments.vertex_labels))
+        integer_labels(array, attachments.vertex_labels))
+      break;
+    else
       attachments.vertex_labels.clear();
   attachments.find_label_array();
 }
