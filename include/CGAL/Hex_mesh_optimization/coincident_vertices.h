@@ -25,8 +25,8 @@ namespace CGAL::Hex_mesh_optimization {
  * \ingroup PkgHexMeshOptimizationRef
  *
  * finds the vertices that faces of the boundary have in the same places: hexahedra that were to be neighbors, but have
- * vertices of their own, would part when they are optimized. To merge them, replace each index in `hexahedra` by what is
- * returned for it.
+ * vertices of their own, would part when they are optimized. To merge them, replace each index in `hexahedra` by what
+ * is returned for it.
  *
  * Two faces coincide if their corners are in the same four different places, exactly. Vertices that are in one place
  * without a face in common are not merged: a hexahedron may have collapsed there.

@@ -23,8 +23,8 @@ namespace CGAL::IO {
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  *
- * returns what of `attachments` is not in a file with the extension of `filename` (`.mesh`, `.vtk`, `.vtu`) after it has
- * been written with `write_hex_mesh()`: one line for each, in words for the user.
+ * returns what of `attachments` is not in a file with the extension of `filename` (`.mesh`, `.vtk`, `.vtu`) after it
+ * has been written with `write_hex_mesh()`: one line for each, in words for the user.
  */
 inline std::vector<std::string> lost_attachments(const std::string& filename, const Hex_mesh_attachments& attachments)
 {

@@ -73,8 +73,8 @@ void read_medit_hex_mesh(const std::string& filename, PointRange& points, Hexahe
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write: labels, lines, triangles, quadrilaterals, and `other_sections`, which must be a
- *        sequence of sections in the Medit format
+ * \param attachments what else to write: labels, lines, triangles, quadrilaterals, and `other_sections`, which must be
+ *        a sequence of sections in the Medit format
  *
  * \throws Hex_mesh_file_error if the file cannot be written, if there are labels but not one per element, or if a cell
  *         refers to a point that does not exist

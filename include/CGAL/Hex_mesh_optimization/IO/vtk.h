@@ -38,8 +38,8 @@ namespace CGAL::IO {
  * reads a hexahedral mesh from a legacy VTK file (`.vtk`), text or binary, versions 1 to 5.
  *
  * The dataset must be a grid, unstructured, structured, rectilinear or of structured points. All points are read, also
- * those no hexahedron refers to. Voxels are read as hexahedra. Cells of dimension two and less, and data on points, cells
- * and the mesh as a whole, go to `attachments`; data that are damaged or of an unknown kind are named in
+ * those no hexahedron refers to. Voxels are read as hexahedra. Cells of dimension two and less, and data on points,
+ * cells and the mesh as a whole, go to `attachments`; data that are damaged or of an unknown kind are named in
  * `Hex_mesh_attachments::left_out`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from

@@ -35,8 +35,8 @@ namespace CGAL::IO {
  * The numbers may be text, base64, or appended, raw or base64. Arrays compressed with zlib can be read if the macro
  * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one
  * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra. Cells of
- * dimension two and less, and data on points, cells and the mesh as a whole, go to `attachments`; data that are damaged,
- * or that not all pieces have, are named in `Hex_mesh_attachments::left_out`.
+ * dimension two and less, and data on points, cells and the mesh as a whole, go to `attachments`; data that are
+ * damaged, or that not all pieces have, are named in `Hex_mesh_attachments::left_out`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`

@@ -353,8 +353,8 @@ private:
 
   using Array = CGAL::IO::Hex_mesh_data_array;
 
-  // The arrays of a group of elements, each with a tuple for each of `count` elements, or as many as it says itself. The
-  // mesh is read even if they are damaged.
+  // The arrays of a group of elements, each with a tuple for each of `count` elements, or as many as it says itself.
+  // The mesh is read even if they are damaged.
   void read_arrays(const Tree& group, const std::string& of, const std::uint64_t* count, std::vector<Array>& arrays)
   {
     for (const auto& child : group)

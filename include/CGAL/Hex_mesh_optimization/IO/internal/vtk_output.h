@@ -41,8 +41,8 @@ void for_each_cell(std::size_t number_of_hexahedra, const CGAL::IO::Hex_mesh_att
     on_other(*other);
 }
 
-// The arrays on points and cells as they are to be written: those of the attachments, with the labels in them, or beside
-// them where they come from another format.
+// The arrays on points and cells as they are to be written: those of the attachments, with the labels in them, or
+// beside them where they come from another format.
 class Arrays_to_write
 {
 public:
