@@ -186,7 +186,8 @@ TEST_F(Vtk, damaged_data_are_named)
   const std::string good = "CELL_DATA 1\nSCALARS a int\nLOOKUP_TABLE default\n1\n";    // to line 21
   for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
          {"SCALARS b int\nLOOKUP_TABLE default\nx\n", ":24: a number of the array is expected, not \"x\""},
-         {"SCALARS b int\nLOOKUP_TABLE default\n", "more than the rest of the file can hold"},
+         {"SCALARS b int\nLOOKUP_TABLE default\n", ":24: a number is expected, but the data end here"},
+         {"SCALARS b int 9\nLOOKUP_TABLE default\n1 2 3\n", "9 numbers are more than the rest of the file can hold"},
          {"SCALARS b int 99999999\nLOOKUP_TABLE default\n1\n", "larger than the rest of the file"},
          {"SCALARS b complex\nLOOKUP_TABLE default\n1\n", "\"complex\""},
          {"SCALARS b unsigned_char\nLOOKUP_TABLE default\n256\n", "not \"256\""},
@@ -255,8 +256,8 @@ TEST_F(Vtk, structured_grids_that_cannot_be)
   refused("a.vtk", header + "STRUCTURED_POINTS\nORIGIN 0 0 0\n", 6, "no DIMENSIONS");
   refused("a.vtk", header + "STRUCTURED_POINTS\nDIMENSIONS 99999 99999 99999\n", 6, "more than a file of this size");
   refused("a.vtk", header + "STRUCTURED_POINTS\nDIMENSIONS 4000000000 4000000000 4000000000\n", 6, "more than");
-  refused("a.vtk", header + "STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nSPACING 1 1e308 9e999\n", 7, "not a finite number");
-  refused("a.vtk", header + "STRUCTURED_POINTS\nDIMENSIONS 4 4 4\nSPACING 1 1 1e308\n", 8, "not a finite number");
+  refused("a.vtk", header + "STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nSPACING 1 1e308 9e999\n", 6, "not a finite number");
+  refused("a.vtk", header + "STRUCTURED_POINTS\nDIMENSIONS 4 4 4\nSPACING 1 1 1e308\n", 7, "not a finite number");
   refused("a.vtk", header + "STRUCTURED_GRID\nDIMENSIONS 2 2 2\n", 6, "no POINTS");
   refused("a.vtk", header + "STRUCTURED_GRID\nDIMENSIONS 2 2 3\n" + vtk_points, 15, "more than the POINTS");
   refused("a.vtk", header + "STRUCTURED_GRID\nDIMENSIONS 2 2 2\nPOINTS 9 float\n9 9 9\n" + cube_points, 16,
