@@ -49,7 +49,7 @@ struct Hex_mesh_data_array
   std::size_t number_of_components = 1;
   Values values; ///< tuple after tuple
 
-  /// the name of the type in a `.vtk` file, where several stand for it (`long`, `vtktypeint64`), or empty
+  /// the name of the type in a `.vtk` file, where several stand for it (`long`, `vtkIdType`), or empty
   std::string type_name;
 
   std::string lookup_table; ///< the name of the table of a `.vtk` file that scalars are shown with, or empty

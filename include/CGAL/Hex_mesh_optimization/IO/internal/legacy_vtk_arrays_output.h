@@ -82,23 +82,16 @@ private:
         else if constexpr (is_bit<Value>)
           return "bit";
         else {
-          const Number_type type = number_type_of<Value>(), named = legacy_vtk_number_type(lowered(array.type_name));
-          const bool is_text_id = !is_binary_ && lowered(array.type_name) == "vtkidtype";
-          if (is_text_id || (named.kind == type.kind && named.size == type.size))
+          // The names of later versions of the format are not known to all readers of this one.
+          const std::string given = lowered(array.type_name);
+          const Number_type type = number_type_of<Value>(), named = legacy_vtk_number_type(given);
+          const bool is_text_id = !is_binary_ && given == "vtkidtype";
+          if (is_text_id || (given.compare(0, 7, "vtktype") != 0 && named.kind == type.kind && named.size == type.size))
             return array.type_name;
           if (type.kind == Number_kind::FLOATING)
             return type.size == 4 ? "float" : "double";
           const std::string sign = type.kind == Number_kind::UNSIGNED ? "unsigned_" : "";
-          switch (type.size) {
-          case 1:
-            return sign.empty() ? "signed_char" : "unsigned_char";
-          case 2:
-            return sign + "short";
-          case 4:
-            return sign + "int";
-          default: // that of "long" depends on the machine
-            return sign.empty() ? "vtktypeint64" : "vtktypeuint64";
-          }
+          return sign + (type.size == 1 ? "char" : type.size == 2 ? "short" : type.size == 4 ? "int" : "long");
         }
       },
       array.values);
