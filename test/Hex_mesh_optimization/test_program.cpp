@@ -338,8 +338,8 @@ TEST_F(Program, renumbers_a_single_hexahedron_that_is_inside_out)
   Mesh mirrored = right;
   std::swap_ranges(mirrored.hexahedra[21].begin(), mirrored.hexahedra[21].begin() + 4,
                    mirrored.hexahedra[21].begin() + 4);
-  mirrored.attachments.hexahedron_labels.assign(64, 1);
-  mirrored.attachments.hexahedron_labels[21] = 1;
+  for (std::size_t h = 0; h < 64; ++h)
+    mirrored.attachments.hexahedron_labels.push_back(static_cast<int>(h / 32));
   write("in.mesh", mirrored);
   EXPECT_EQ(run("in.mesh out.mesh --json out.json"), 0);
   const Mesh output = read("out.mesh");
@@ -379,8 +379,7 @@ TEST_F(Program, says_which_vertices_coincide_and_merges_them_when_asked)
   for (std::size_t h = 0; h < 64; ++h)
     for (std::size_t c = 0; c < 8; ++c) {
       const std::size_t v = whole.hexahedra[h][c];
-      if (is_known[v])
-        EXPECT_EQ(output.points[mesh.hexahedra[h][c]], place[v]);
+      EXPECT_TRUE(!is_known[v] || output.points[mesh.hexahedra[h][c]] == place[v]);
       place[v] = output.points[mesh.hexahedra[h][c]];
       is_known[v] = true;
     }
