@@ -6,6 +6,7 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
+#include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -68,8 +69,9 @@ struct Options
 {
   const HMO::internal::Optimization_parameters defaults;
 
-  std::string input, output, reference, frozen, json;
+  std::string input, output, reference, frozen, label_array, json;
   double features_angle = defaults.features.angle_bound;
+  bool merge = false;
   bool fixed_boundary = defaults.fixed_boundary;
   bool on_surface = defaults.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
   std::string method = "full";
@@ -99,6 +101,12 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("DEGREES")
     ->check(CLI::Range(0., 180.).description(""))
     ->capture_default_str();
+  app.add_flag("--merge", o.merge,
+               "hexahedra whose faces coincide are neighbors, though their vertices are not the same");
+  app
+    .add_option("--label-array", o.label_array,
+                "the cell array of a .vtk or .vtu file with the labels of the hexahedra (default: by its name)")
+    ->type_name("NAME");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
   app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the reference exactly");
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
@@ -199,6 +207,15 @@ struct Mesh
   std::vector<Kernel::Point_3> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
   CGAL::IO::Hex_mesh_attachments attachments;
+  std::vector<std::size_t> merged_into; // another vertex, for each; empty: none is merged
+
+  std::size_t number_of_merged() const
+  {
+    std::size_t sum = 0;
+    for (std::size_t v = 0; v < merged_into.size(); ++v)
+      sum += merged_into[v] != v;
+    return sum;
+  }
 
   Kernel::Point_3 center(std::size_t h) const
   {
@@ -225,6 +242,40 @@ void check_output(const std::string& filename)
   if (extension != "mesh" && extension != "vtk" && extension != "vtu")
     CGAL::Hex_mesh_optimization::internal::IO::refuse_extension(filename);
   check_writable(filename);
+}
+
+// What becomes of the file beside points and hexahedra: one line for each thing that is lost.
+std::vector<std::string> losses(const Mesh& mesh, const std::string& output)
+{
+  std::vector<std::string> result = mesh.attachments.left_out;
+  for (const std::string& lost : CGAL::IO::lost_attachments(output, mesh.attachments))
+    result.push_back(lost);
+  return result;
+}
+
+Mesh read(const Options& options)
+{
+  Mesh mesh;
+  CGAL::IO::read_hex_mesh(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
+  if (!options.label_array.empty() && !mesh.attachments.use_label_array(options.label_array))
+    throw CGAL::IO::Hex_mesh_file_error(options.input, 0,
+                                        "there is no array \"" + options.label_array +
+                                          "\" with one integral number for each cell");
+  return mesh;
+}
+
+// The mesh with one vertex in the place of those that coincide.
+Mesh merged(const Mesh& mesh)
+{
+  Mesh result = mesh;
+  result.merged_into = HMO::coincident_vertices(mesh.points, mesh.hexahedra);
+  for (auto& h : result.hexahedra)
+    for (std::size_t& v : h)
+      v = result.merged_into[v];
+  for (auto& cell : result.attachments.other_cells)
+    for (std::size_t& v : cell.vertices)
+      v = result.merged_into[v];
+  return result;
 }
 
 std::set<std::size_t> read_vertices(const std::string& filename, std::size_t number_of_vertices)
@@ -278,7 +329,8 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
 
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
-    frozen = read_vertices(o.frozen, mesh.points.size());
+    for (std::size_t v : read_vertices(o.frozen, mesh.points.size()))
+      frozen.insert(mesh.merged_into.empty() ? v : mesh.merged_into[v]);
   const std::vector<int> labels = numbered(mesh.attachments.hexahedron_labels);
   const auto np = CGAL::parameters::features_angle_bound(o.features_angle)
                     .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
@@ -379,8 +431,15 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   print_row("  of maximization", "", text(status.maximization_seconds));
 
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
-  if (status.orientation_reversed)
-    std::cout << "The hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
+  if (status.number_of_turned_hexahedra() > 0)
+    std::cout << status.number_of_turned_hexahedra()
+              << " hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
+  if (mesh.number_of_merged() > 0)
+    std::cout << mesh.number_of_merged() << " vertices coincide with others and were merged with them.\n";
+  if (status.number_of_coincident_vertices > 0)
+    std::cout << status.number_of_coincident_vertices
+              << " vertices coincide with others: faces are in the same place, but their hexahedra are no neighbors,"
+              << " and may part (--merge makes them neighbors).\n";
   if (!status.is_within_deviation_bound())
     std::cout << "THE BOUND OF THE DEVIATION IS NOT "
               << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
@@ -472,6 +531,8 @@ Json json(const Options& o)
           {"output", o.output},
           {"reference", o.reference.empty() ? Json() : Json(o.reference)},
           {"features_angle", o.features_angle},
+          {"merge", o.merge},
+          {"label_array", o.label_array.empty() ? Json() : Json(o.label_array)},
           {"fixed_boundary", o.fixed_boundary},
           {"on_surface", o.on_surface},
           {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
@@ -501,7 +562,9 @@ Json json(const HMO::Status& status, const Mesh& mesh)
                       {"is_reached", l.is_reached()}});
   return {{"return_code", json(status.return_code)},
           {"valid_mesh", status.valid_mesh()},
-          {"orientation_reversed", status.orientation_reversed},
+          {"number_of_turned_hexahedra", status.number_of_turned_hexahedra()},
+          {"turned_hexahedra", status.turned_hexahedra},
+          {"number_of_coincident_vertices", status.number_of_coincident_vertices},
           {"before", json(status.before)},
           {"after", json(status.after)},
           {"volume_before", status.volume_before},
@@ -527,9 +590,16 @@ Json json(const HMO::Status& status, const Mesh& mesh)
 }
 
 void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh,
-                const std::vector<HMO::Iteration>& iterations)
+                const std::vector<std::string>& lost, const std::vector<HMO::Iteration>& iterations)
 {
-  Json report = {{"options", json(options)}, {"status", json(status, mesh)}, {"iterations", Json::array()}};
+  Json report = {{"options", json(options)},
+                 {"status", json(status, mesh)},
+                 {"number_of_merged_vertices", mesh.number_of_merged()},
+                 {"labels",
+                  {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
+                   {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
+                 {"lost", lost},
+                 {"iterations", Json::array()}};
   for (const HMO::Iteration& i : iterations)
     report["iterations"].push_back(json(i));
   CGAL::Hex_mesh_optimization::internal::IO::Atomic_file file(options.json);
@@ -543,25 +613,35 @@ Exit_code run(const Options& options)
   if (!options.json.empty())
     check_writable(options.json);
 
-  Mesh mesh;
-  CGAL::IO::read_hex_mesh(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
+  Mesh mesh = read(options);
+  const std::vector<std::string> lost = losses(mesh, options.output);
+  if (!options.quiet)
+    for (const std::string& line : lost)
+      std::cerr << "warning: not in the output: " << line << '\n';
 
   HMO::Status status;
   std::vector<HMO::Iteration> iterations;
   {
     Watcher watcher(options.quiet);
-    status = optimize(mesh, options, watcher);
+    if (options.merge) {
+      Mesh one = merged(mesh);
+      status = optimize(one, options, watcher);
+      mesh.merged_into = std::move(one.merged_into);
+      for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        mesh.points[v] = one.points[mesh.merged_into[v]];
+    }
+    else
+      status = optimize(mesh, options, watcher);
     iterations = watcher.iterations();
   }
-  if (status.orientation_reversed)
-    for (auto& h : mesh.hexahedra)
-      std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+  for (std::size_t h : status.turned_hexahedra)
+    std::swap_ranges(mesh.hexahedra[h].begin(), mesh.hexahedra[h].begin() + 4, mesh.hexahedra[h].begin() + 4);
 
   CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.quiet)
     print_report(status, mesh);
   if (!options.json.empty())
-    write_json(options, status, mesh, iterations);
+    write_json(options, status, mesh, lost, iterations);
   return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
 }
 

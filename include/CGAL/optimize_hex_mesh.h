@@ -360,8 +360,9 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters&
  *
  * optimizes as above a mesh given by its points and, for each hexahedron, the indices of its eight vertices: the first
  * four around the bottom, counter-clockwise seen from inside, the other four above them (the numbering of VTK and
- * Medit). Points that no hexahedron uses are kept. Hexahedra all numbered inside out are accepted and reported by
- * `Status::orientation_reversed`; `hexahedra` itself is not changed.
+ * Medit). Points that no hexahedron uses are kept. Hexahedra that are numbered inside out, some or all, are accepted:
+ * those that are connected through faces are made to agree. `hexahedra` itself is not changed;
+ * `Status::turned_hexahedra` lists those whose first four vertices are to be exchanged with the last four.
  *
  * \tparam PointRange a model of `RandomAccessContainer` of 3D points
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight integers

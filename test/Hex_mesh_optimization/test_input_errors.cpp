@@ -4,6 +4,7 @@
 // Unusable input is refused by name before anything moves; unusual input is handled.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "mesh_families.h"
@@ -153,11 +154,26 @@ TEST(Input_errors, of_three_hexahedra_on_a_face)
   expect_refused(mesh, Element::HEXAHEDRON, 2, "third");
 }
 
-TEST(Input_errors, of_neighbors_with_opposite_orientations)
+TEST(Input_errors, of_neighbors_that_share_four_vertices_and_no_face)
 {
   Mesh mesh = block(2, 1, 1);
-  std::swap_ranges(mesh.cells[1].begin(), mesh.cells[1].begin() + 4, mesh.cells[1].begin() + 4);
-  expect_refused(mesh, Element::HEXAHEDRON, 1, "orientation");
+  std::swap(mesh.cells[1][0], mesh.cells[1][3]);
+  expect_refused(mesh, Element::HEXAHEDRON, 1, "hexahedra 0 and 1 share four vertices");
+}
+
+// A ring of which the last hexahedron meets the first with its corners mirrored
+TEST(Input_errors, of_a_mesh_without_an_orientation)
+{
+  Mesh mesh;
+  for (int i = 0; i < 5; ++i) {
+    const double a = 2 * 3.14159265358979 * i / 5;
+    for (double r : {2., 3.})
+      for (double z : {0., 1.})
+        mesh.points.emplace_back(r * std::cos(a), r * std::sin(a), z);
+    const int n = 4 * i, m = 4 * ((i + 1) % 5), inner = i < 4 ? 0 : 2;
+    mesh.cells.push_back({n, n + 2, m + 2 - inner, m + inner, n + 1, n + 3, m + 3 - inner, m + 1 + inner});
+  }
+  expect_refused(mesh, Element::HEXAHEDRON, 3, "has no orientation");
 }
 
 TEST(Input_errors, of_a_boundary_that_is_not_a_manifold_along_an_edge)
@@ -352,10 +368,9 @@ TEST(Input_errors, of_a_volume_that_is_not_a_hexahedron)
 
 void expect_honest(Mesh before, Mesh after, const HMO::Status& status)
 {
-  if (status.orientation_reversed) // the statistics refer to the numbering with top and bottom exchanged
-    for (Mesh* mesh : {&before, &after})
-      for (auto& cell : mesh->cells)
-        std::swap_ranges(cell.begin(), cell.begin() + 4, cell.begin() + 4);
+  for (Mesh* mesh : {&before, &after}) // the statistics refer to the numbering with top and bottom exchanged
+    for (std::size_t h : status.turned_hexahedra)
+      std::swap_ranges(mesh->cells[h].begin(), mesh->cells[h].begin() + 4, mesh->cells[h].begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.cells);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.cells);
   EXPECT_EQ(status.before.number_of_inverted, a.number_of_inverted);
@@ -403,7 +418,7 @@ TEST(Unusual_input, of_components_apart)
   EXPECT_TRUE(optimized(mesh).valid_mesh());
 }
 
-// One component the right way around, a smaller one inside out: there is no numbering that suits both
+// One component the right way around, a smaller one inside out, which alone is turned
 TEST(Unusual_input, of_components_of_opposite_orientation)
 {
   Mesh mesh = block(3, 3, 3, false);
@@ -415,8 +430,8 @@ TEST(Unusual_input, of_components_of_opposite_orientation)
   for (std::size_t i = 0; i < 8; ++i)
     mesh.cells.back()[i] = n + cube.cells[0][(i + 4) % 8];
   const HMO::Status status = optimized(mesh);
-  EXPECT_FALSE(status.orientation_reversed);
-  EXPECT_LE(status.after.number_of_inverted, 1u);
+  EXPECT_EQ(status.turned_hexahedra, std::vector<std::size_t>{27});
+  EXPECT_TRUE(status.valid_mesh());
 }
 
 TEST(Unusual_input, with_coordinates_near_the_limits_of_double)
@@ -466,6 +481,29 @@ TEST(Unusual_input, that_is_a_line)
   for (Point& p : mesh.points)
     p = Point(p.x(), 0, 0);
   EXPECT_THROW(optimized(mesh), HMO::Input_error); // no surface is left to hold the boundary on
+}
+
+// Vertices that faces have in the same places are counted, and merging them makes neighbors.
+TEST(Unusual_input, of_hexahedra_with_vertices_of_their_own)
+{
+  const Mesh whole = block(3, 3, 3);
+  Mesh mesh;
+  for (const auto& cell : whole.cells) {
+    mesh.cells.emplace_back();
+    for (int v : cell) {
+      mesh.cells.back().push_back(int(mesh.points.size()));
+      mesh.points.push_back(whole.points[std::size_t(v)]);
+    }
+  }
+  Mesh merged = mesh;
+  EXPECT_EQ(optimized(mesh).number_of_coincident_vertices, 27u * 8u - 64u);
+  const std::vector<std::size_t> first = HMO::coincident_vertices(merged.points, merged.cells);
+  for (auto& cell : merged.cells)
+    for (int& v : cell)
+      v = int(first[std::size_t(v)]);
+  const HMO::Status status = optimized(merged);
+  EXPECT_EQ(status.number_of_coincident_vertices, 0u);
+  EXPECT_TRUE(status.valid_mesh());
 }
 
 TEST(Unusual_input, with_coincident_vertices)
@@ -532,7 +570,7 @@ TEST(Unusual_input, with_one_coordinate_of_1e150)
       if (p == Point(1, 1, 1))
         p = Point(1, far, 1);
     const HMO::Status status = optimized(mesh); // an interior vertex
-    EXPECT_FALSE(status.orientation_reversed);
+    EXPECT_EQ(status.number_of_turned_hexahedra(), 0u);
     EXPECT_GT(status.before.number_of_invalid, 0u);
     EXPECT_LT(status.before.number_of_invalid, 27u);
     EXPECT_TRUE(status.valid_mesh() || std::abs(far) > 1e150); // whose square is no number any more

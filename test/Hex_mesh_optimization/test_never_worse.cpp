@@ -194,13 +194,12 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
   const Status status = optimize(mesh);
   ++tally.cases;
 
-  // a mesh that is inside out as a whole is measured with top and bottom exchanged
+  // hexahedra that are inside out are measured with top and bottom exchanged
   Indexed_mesh before = input, after = mesh;
   EXPECT_EQ(mesh.hexahedra, input.hexahedra);
-  if (status.orientation_reversed)
-    for (Indexed_mesh* m : {&before, &after})
-      for (auto& h : m->hexahedra)
-        std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+  for (Indexed_mesh* m : {&before, &after})
+    for (std::size_t h : status.turned_hexahedra)
+      std::swap_ranges(m->hexahedra[h].begin(), m->hexahedra[h].begin() + 4, m->hexahedra[h].begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.hexahedra);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.hexahedra);
   const std::vector<std::size_t> invalid = invalid_hexahedra(after);

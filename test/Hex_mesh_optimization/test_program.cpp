@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -162,7 +163,9 @@ TEST_F(Program, reports_every_iteration_in_json)
   const nlohmann::json& status = report["status"];
   EXPECT_TRUE(status["return_code"].is_string());
   EXPECT_EQ(status["valid_mesh"], true);
-  EXPECT_EQ(status["orientation_reversed"], false);
+  EXPECT_EQ(status["number_of_turned_hexahedra"], 0);
+  EXPECT_EQ(status["number_of_coincident_vertices"], 0);
+  EXPECT_EQ(report["lost"], nlohmann::json::array());
   EXPECT_EQ(status["invalid_hexahedra"], nlohmann::json::array());
   EXPECT_GT(status["before"]["number_of_inverted"], 0);
   EXPECT_EQ(status["after"]["number_of_inverted"], 0);
@@ -325,7 +328,63 @@ TEST_F(Program, renumbers_hexahedra_that_are_inside_out)
   EXPECT_EQ(run("in.mesh out.mesh --json out.json"), 0);
   EXPECT_EQ(read("out.mesh").hexahedra, right.hexahedra);
   EXPECT_TRUE(contains(text("stdout"), "inside out"));
-  EXPECT_EQ(json("out.json")["status"]["orientation_reversed"], true);
+  EXPECT_EQ(json("out.json")["status"]["number_of_turned_hexahedra"], 64);
+}
+
+// One of them is written turned, in its place and with its label; the others stay.
+TEST_F(Program, renumbers_a_single_hexahedron_that_is_inside_out)
+{
+  const Mesh right = tangled_block();
+  Mesh mirrored = right;
+  std::swap_ranges(mirrored.hexahedra[21].begin(), mirrored.hexahedra[21].begin() + 4,
+                   mirrored.hexahedra[21].begin() + 4);
+  for (std::size_t h = 0; h < 64; ++h)
+    mirrored.attachments.hexahedron_labels.push_back(static_cast<int>(h / 32));
+  write("in.mesh", mirrored);
+  EXPECT_NE(run("in.mesh out.mesh --json out.json"), 3);
+  const Mesh output = read("out.mesh");
+  EXPECT_EQ(output.hexahedra, right.hexahedra);
+  EXPECT_EQ(output.attachments.hexahedron_labels, mirrored.attachments.hexahedron_labels);
+  EXPECT_TRUE(contains(text("stdout"), "1 hexahedra were numbered inside out"));
+  EXPECT_EQ(json("out.json")["status"]["turned_hexahedra"], nlohmann::json::array({21}));
+}
+
+TEST_F(Program, says_which_vertices_coincide_and_merges_them_when_asked)
+{
+  const Mesh whole = tangled_block();
+  Mesh mesh;
+  for (const auto& h : whole.hexahedra) {
+    mesh.hexahedra.emplace_back();
+    for (std::size_t c = 0; c < 8; ++c) {
+      mesh.hexahedra.back()[c] = mesh.points.size();
+      mesh.points.push_back(whole.points[h[c]]);
+    }
+  }
+  write("in.mesh", mesh);
+  EXPECT_NE(run("in.mesh out.mesh --time-limit 0 --json out.json"), 3);
+  EXPECT_TRUE(contains(text("stdout"), "387 vertices coincide with others"));
+  EXPECT_TRUE(contains(text("stdout"), "--merge"));
+  EXPECT_EQ(json("out.json")["status"]["number_of_coincident_vertices"], 64 * 8 - 125);
+
+  write("frozen.txt", std::to_string(mesh.hexahedra[63][0]) + "\n"); // one of eight in one place
+  EXPECT_EQ(run("in.mesh out.mesh --merge --frozen frozen.txt --json out.json"), 0);
+  EXPECT_TRUE(contains(text("stdout"), "387 vertices coincide with others and were merged"));
+  EXPECT_EQ(json("out.json")["number_of_merged_vertices"], 387);
+  EXPECT_EQ(json("out.json")["status"]["number_of_coincident_vertices"], 0);
+  const Mesh output = read("out.mesh");
+  EXPECT_EQ(output.hexahedra, mesh.hexahedra);
+  ASSERT_EQ(output.points.size(), mesh.points.size());
+  std::vector<Point> place(whole.points.size());
+  std::vector<char> is_known(whole.points.size(), false);
+  for (std::size_t h = 0; h < 64; ++h)
+    for (std::size_t c = 0; c < 8; ++c) {
+      const std::size_t v = whole.hexahedra[h][c];
+      EXPECT_TRUE(!is_known[v] || output.points[mesh.hexahedra[h][c]] == place[v]);
+      place[v] = output.points[mesh.hexahedra[h][c]];
+      is_known[v] = true;
+    }
+  EXPECT_EQ(place[whole.hexahedra[63][0]], whole.points[whole.hexahedra[63][0]]) << "all of them are frozen";
+  EXPECT_EQ(HMO::quality_statistics(output.points, output.hexahedra).number_of_invalid, 0u);
 }
 
 TEST_F(Program, keeps_labels_and_other_sections)
@@ -343,6 +402,53 @@ TEST_F(Program, keeps_labels_and_other_sections)
   EXPECT_EQ(output.attachments.hexahedron_labels, input.attachments.hexahedron_labels);
   for (const char* section : {"Corners", "RequiredVertices"})
     EXPECT_TRUE(contains(output.attachments.other_sections, section)) << section;
+}
+
+// Data of points and cells come back from a .vtk file, and labels from any other format; what cannot is named.
+TEST_F(Program, keeps_data_and_names_what_a_format_cannot_hold)
+{
+  Mesh input = tangled_block();
+  for (std::size_t h = 0; h < input.hexahedra.size(); ++h)
+    input.attachments.hexahedron_labels.push_back(h < 32 ? 7 : -3);
+  input.attachments.other_sections = "Corners\n2\n1\n5\n";
+  input.attachments.other_cells = {{9, {0, 1, 6, 5}, 8, 64}};
+  write("in.mesh", input);
+  run("in.mesh out.vtk --json out.json");
+  EXPECT_EQ(text("stderr"), "warning: not in the output: the section Corners\n");
+  EXPECT_EQ(json("out.json")["lost"], nlohmann::json::array({"the section Corners"}));
+  EXPECT_TRUE(contains(text("out.vtk"), "\nCELL_DATA 65\n"));
+  EXPECT_TRUE(contains(text("out.vtk"), "medit:ref"));
+  run("in.mesh out.vtk --quiet");
+  EXPECT_EQ(text("stderr"), "");
+
+  std::string with_data = text("out.vtk") + "CELL_DATA 65\nSCALARS heat double\nLOOKUP_TABLE default\n";
+  for (int h = 0; h < 65; ++h)
+    with_data += "0." + std::to_string(h + 1) + "1\n";
+  write("data.vtk", with_data);
+  run("data.vtk again.vtk --json out.json");
+  EXPECT_EQ(text("stderr"), "");
+  EXPECT_EQ(json("out.json")["labels"]["array"], "medit:ref");
+  EXPECT_TRUE(contains(text("again.vtk"), with_data.substr(with_data.find("SCALARS heat"))));
+
+  run("data.vtk back.mesh");
+  EXPECT_EQ(text("stderr"), "warning: not in the output: the array \"heat\" of the cells\n");
+  EXPECT_EQ(read("back.mesh").attachments.hexahedron_labels, input.attachments.hexahedron_labels);
+  ASSERT_EQ(read("back.mesh").attachments.other_cells.size(), 1u);
+  EXPECT_EQ(read("back.mesh").attachments.other_cells[0].label, 8);
+
+  EXPECT_EQ(run("data.vtk other.mesh --label-array heat"), 3);
+  EXPECT_TRUE(contains(text("stderr"), "there is no array \"heat\" with one integral number for each cell"));
+  EXPECT_FALSE(exists("other.mesh"));
+  write(
+    "chosen.vtk", text("out.vtk") + "CELL_DATA 65\nSCALARS mine float\nLOOKUP_TABLE default\n" + [] {
+      std::string ones;
+      for (int h = 0; h < 65; ++h)
+        ones += "4\n";
+      return ones;
+    }());
+  run("chosen.vtk chosen.mesh --label-array mine --json out.json");
+  EXPECT_EQ(json("out.json")["labels"]["array"], "mine");
+  EXPECT_EQ(read("chosen.mesh").attachments.hexahedron_labels, std::vector<std::int64_t>(64, 4));
 }
 
 TEST_F(Program, may_replace_its_input)

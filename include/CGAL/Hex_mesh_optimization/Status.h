@@ -83,9 +83,16 @@ struct Status
   /// increasing order.
   std::vector<Connectivity_limit> connectivity_limits;
 
-  /// The hexahedra were numbered inside out; they were taken with their bottom and top exchanged, and the statistics
-  /// refer to that numbering.
-  bool orientation_reversed = false;
+  /// The hexahedra that were numbered inside out, in increasing order: they were taken with their bottom and top
+  /// exchanged (the first four vertices with the last four), and the statistics refer to that numbering. The hexahedra
+  /// that are connected through faces agree with each other, and the volume that their boundary encloses is positive.
+  std::vector<std::size_t> turned_hexahedra;
+
+  std::size_t number_of_turned_hexahedra() const { return turned_hexahedra.size(); }
+
+  /// How many vertices would be gone if those were merged that faces of the boundary have in the same places: hexahedra
+  /// with vertices of their own there are no neighbors. See `coincident_vertices()`.
+  std::size_t number_of_coincident_vertices = 0;
 
   /// `true` if the trilinear map of every hexahedron is certified to be valid (see `is_valid_hexahedron()`).
   bool valid_mesh() const { return invalid_hexahedra.empty(); }

@@ -11,9 +11,13 @@
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -23,6 +27,28 @@ using Points = std::vector<Point>;
 using Hexahedra = std::vector<std::array<std::size_t, 8>>;
 
 std::unique_ptr<fuzz::Input_file> input_file;
+
+template <class Value>
+bool is_same(const Value& a, const Value& b)
+{
+  return a == b || (a != a && b != b); // not a number
+}
+
+// Names, shapes, types and values
+bool are_same(const std::vector<CGAL::IO::Hex_mesh_data_array>& a, const std::vector<CGAL::IO::Hex_mesh_data_array>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return (x.name == y.name || x.name.empty()) && x.number_of_components == y.number_of_components &&
+           x.values.index() == y.values.index() &&
+           std::visit(
+             [&](const auto& values) {
+               const auto& others = std::get<std::decay_t<decltype(values)>>(y.values);
+               using Value = typename std::decay_t<decltype(values)>::value_type;
+               return std::equal(values.begin(), values.end(), others.begin(), others.end(), is_same<Value>);
+             },
+             x.values);
+  });
+}
 
 } // namespace
 
@@ -60,5 +86,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::require(same_points(points, points_back), "the points come back");
   fuzz::require(hexahedra == hexahedra_back, "the hexahedra come back");
   fuzz::require(attachments.hexahedron_labels == attachments_back.hexahedron_labels, "the labels come back");
+  fuzz::require(attachments_back.left_out.empty(), "what is written can be read");
+  fuzz::require(are_same(attachments.point_data, attachments_back.point_data) &&
+                  are_same(attachments.cell_data, attachments_back.cell_data) &&
+                  are_same(attachments.field_data, attachments_back.field_data),
+                "the data come back");
+  fuzz::require(std::equal(attachments.other_cells.begin(), attachments.other_cells.end(),
+                           attachments_back.other_cells.begin(), attachments_back.other_cells.end(),
+                           [](const auto& a, const auto& b) { return a.vertices.size() == b.vertices.size(); }) ||
+                  input_file->name("output").find(".mesh") != std::string::npos, // there they are sorted by their kinds
+                "the other cells come back");
+  fuzz::require(attachments.other_cells.size() == attachments_back.other_cells.size(), "all other cells come back");
   return 0;
 }

@@ -74,7 +74,7 @@ void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
     return mesh.hexahedra[bytes.below(mesh.hexahedra.size())];
   };
   const auto set = [&](std::size_t v, const std::array<double, 3>& p) { mesh.points[v] = Point(p[0], p[1], p[2]); };
-  switch (bytes.below(mesh.hexahedra.empty() ? 6 : 12)) {
+  switch (bytes.below(mesh.hexahedra.empty() ? 6 : 14)) {
   case 0: { // a small move
     const std::size_t v = any_vertex();
     std::array<double, 3> p = coordinates(mesh.points[v]);
@@ -126,7 +126,7 @@ void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
     std::swap(h[i], h[k]);
     break;
   }
-  case 9: // the same hexahedron inside out
+  case 9: // all hexahedra inside out
     for (auto& h : mesh.hexahedra)
       std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
     break;
@@ -138,6 +138,20 @@ void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
     break;
   case 11:
     mesh.hexahedra.erase(mesh.hexahedra.begin() + std::ptrdiff_t(bytes.below(mesh.hexahedra.size())));
+    break;
+  case 12: { // one hexahedron inside out
+    auto& h = any_hexahedron();
+    std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+    break;
+  }
+  case 13: // a hexahedron gets vertices of its own in the same places
+    if (mesh.points.size() < 60)
+      for (std::size_t& v : any_hexahedron())
+        if (v < mesh.points.size()) {
+          mesh.points.push_back(Point(mesh.points[v]));
+          is_frozen.push_back(is_frozen[v]);
+          v = mesh.points.size() - 1;
+        }
     break;
   }
 }
@@ -177,10 +191,9 @@ void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_fro
     for (int d = 0; d < 3; ++d)
       fuzz::require(std::isfinite(after.points[v][d]), "coordinates are finite");
   }
-  if (status.orientation_reversed)
-    for (Mesh* m : {&before, &after})
-      for (auto& h : m->hexahedra)
-        std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+  for (Mesh* m : {&before, &after})
+    for (std::size_t h : status.turned_hexahedra)
+      std::swap_ranges(m->hexahedra[h].begin(), m->hexahedra[h].begin() + 4, m->hexahedra[h].begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.hexahedra);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.hexahedra);
   const std::vector<std::size_t> invalid = invalid_hexahedra(after);

@@ -10,6 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
+#include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtk.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtu.h>
@@ -58,7 +59,7 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points all points of the file in its order, replaced
  * \param hexahedra the hexahedra of the file in its order, replaced
- * \param attachments what else is in a Medit file, replaced
+ * \param attachments what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error naming the line if the file cannot be read; the parameters are unchanged then
  */
@@ -72,12 +73,10 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
   if (extension == "mesh")
     return read_medit_hex_mesh(filename, points, hexahedra, attachments);
   if (extension == "vtk")
-    read_vtk_hex_mesh(filename, points, hexahedra);
-  else if (extension == "vtu")
-    read_vtu_hex_mesh(filename, points, hexahedra);
-  else
-    io::refuse_extension(filename);
-  attachments = Hex_mesh_attachments();
+    return read_vtk_hex_mesh(filename, points, hexahedra, attachments);
+  if (extension == "vtu")
+    return read_vtu_hex_mesh(filename, points, hexahedra, attachments);
+  io::refuse_extension(filename);
 }
 
 /*!
@@ -104,7 +103,7 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
  *
  * \param filename the name of the file
  * \param lcc the linear cell complex, cleared first
- * \param attachments what else is in a Medit file, replaced
+ * \param attachments what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error if the file cannot be read, or if a linear cell complex cannot carry
  *         the mesh, naming the hexahedron. `lcc` is unchanged then.
@@ -157,18 +156,18 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write to a Medit file; ignored for other formats
+ * \param attachments what else to write, as far as the format can hold it: see `lost_attachments()`
  * \param np optional \ref bgl_namedparameters "Named Parameters" described below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether the numbers of a `.vtk` or `.vtu` file are written in binary form}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`attachments.is_binary`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Hex_mesh_file_error if the file cannot be written
+ * \throws Hex_mesh_file_error if the file cannot be written, or if the attachments do not fit to the mesh
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
           Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
@@ -180,9 +179,9 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
   if (extension == "mesh")
     write_medit_hex_mesh(filename, points, hexahedra, attachments);
   else if (extension == "vtk")
-    write_vtk_hex_mesh(filename, points, hexahedra, np);
+    write_vtk_hex_mesh(filename, points, hexahedra, attachments, np);
   else if (extension == "vtu")
-    write_vtu_hex_mesh(filename, points, hexahedra, np);
+    write_vtu_hex_mesh(filename, points, hexahedra, attachments, np);
   else
     io::refuse_extension(filename);
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Medit_reader.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/medit_corners.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/number_as_text.h>
 
 #include <array>
@@ -28,8 +29,8 @@ namespace CGAL::IO {
  *
  * reads a hexahedral mesh from a Medit file (`.mesh`, text).
  *
- * The order of the sections is free. All vertices are read, also those no hexahedron refers to. Every section but
- * `Vertices` and `Hexahedra` is kept verbatim in `attachments`.
+ * The order of the sections is free. All vertices are read, also those no hexahedron refers to. All other sections are
+ * kept in `attachments`: `Edges`, `Triangles` and `Quadrilaterals` as cells, the rest verbatim.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -72,9 +73,11 @@ void read_medit_hex_mesh(const std::string& filename, PointRange& points, Hexahe
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write; `other_sections` must be a sequence of sections in the Medit format
+ * \param attachments what else to write: labels, lines, triangles, quadrilaterals, and `other_sections`, which must be
+ *        a sequence of sections in the Medit format
  *
- * \throws Hex_mesh_file_error if the file cannot be written, or if there are labels but not one per element
+ * \throws Hex_mesh_file_error if the file cannot be written, if there are labels but not one per element, or if a cell
+ *         refers to a point that does not exist
  */
 template <class PointRange, class HexahedronRange>
 void write_medit_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
@@ -113,6 +116,29 @@ void write_medit_hex_mesh(const std::string& filename, const PointRange& points,
     }
     append_label(attachments.hexahedron_labels, i++);
     file.write_if_large();
+  }
+  for (const auto& [name, size] :
+       {std::pair<const char*, std::size_t>("Quadrilaterals", 4), {"Triangles", 3}, {"Edges", 2}}) {
+    std::size_t count = 0;
+    for (const Hex_mesh_cell& cell : attachments.other_cells)
+      count += io::medit_corners(cell).size() == size;
+    if (count == 0)
+      continue;
+    text += std::string(name) + "\n" + std::to_string(count) + "\n";
+    for (const Hex_mesh_cell& cell : attachments.other_cells) {
+      const std::vector<std::size_t> corners = io::medit_corners(cell);
+      if (corners.size() != size)
+        continue;
+      for (const std::size_t v : corners) {
+        if (v >= points.size())
+          throw Hex_mesh_file_error(filename, 0, "a cell refers to a point that does not exist");
+        io::append_number(text, v + 1);
+        text += ' ';
+      }
+      io::append_number(text, cell.label);
+      text += '\n';
+      file.write_if_large();
+    }
   }
   text += attachments.other_sections;
   if (!attachments.other_sections.empty() && attachments.other_sections.back() != '\n')

@@ -6,12 +6,16 @@
 
 // Reads and writes hexahedral meshes in the legacy format of VTK (.vtk, text and binary).
 
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Legacy_vtk_reader.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/binary_number.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/legacy_vtk_arrays_output.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/number_as_text.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/vtk_output.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -33,8 +37,10 @@ namespace CGAL::IO {
  *
  * reads a hexahedral mesh from a legacy VTK file (`.vtk`), text or binary, versions 1 to 5.
  *
- * The dataset must be an unstructured grid. All points are read, also those no hexahedron refers to. Voxels are read
- * as hexahedra; cells of dimension two and less, and data on points and cells, are skipped.
+ * The dataset must be a grid, unstructured, structured, rectilinear or of structured points. All points are read, also
+ * those no hexahedron refers to. Voxels are read as hexahedra. Cells of dimension two and less, and data on points,
+ * cells and the mesh as a whole, go to `attachments`; data that are damaged or of an unknown kind are named in
+ * `Hex_mesh_attachments::left_out`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -44,6 +50,7 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points the points, replaced
  * \param hexahedra the hexahedra, replaced
+ * \param attachments what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error naming the line (not in a binary file) if the file cannot be read, is malformed or
  *         truncated, has a coordinate that is not finite, an index out of range, or a cell of dimension three that is
@@ -52,16 +59,31 @@ namespace CGAL::IO {
  * Complexity: linear in the size of the file.
  */
 template <class PointRange, class HexahedronRange>
-void read_vtk_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
+void read_vtk_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
+                       Hex_mesh_attachments& attachments)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::copy_hex_mesh(io::Legacy_vtk_reader(filename, io::Wanted_cells::HEXAHEDRA).read(), points, hexahedra);
+  io::Mesh_file_content content = io::Legacy_vtk_reader(filename, io::Wanted_cells::HEXAHEDRA).read();
+  io::copy_hex_mesh(content, points, hexahedra);
+  attachments = std::move(content.attachments);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  *
- * writes a hexahedral mesh to a legacy VTK file (`.vtk`), version 3.0.
+ * reads a hexahedral mesh as above, without attachments.
+ */
+template <class PointRange, class HexahedronRange>
+void read_vtk_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
+{
+  Hex_mesh_attachments ignored;
+  read_vtk_hex_mesh(filename, points, hexahedra, ignored);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a hexahedral mesh to a legacy VTK file (`.vtk`), version 3.0, as an unstructured grid.
  *
  * As text, coordinates are written with as many digits, up to 17, as it takes to read back the same `double`. The
  * file appears complete or not at all.
@@ -74,24 +96,29 @@ void read_vtk_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
+ * \param attachments what else to write
  * \param np optional \ref bgl_namedparameters "Named Parameters" described below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether the numbers are written in binary form}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`attachments.is_binary`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Hex_mesh_file_error if the file cannot be written
+ * \throws Hex_mesh_file_error if the file cannot be written, or if the attachments do not fit to the mesh: labels or
+ *         tuples of an array that are not one per element, or a cell that refers to a point that does not exist
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
 void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                        const Hex_mesh_attachments& attachments,
                         const NamedParameters& np = parameters::default_values())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode), false);
+  const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode),
+                                                   attachments.is_binary);
+  const io::Arrays_to_write arrays(filename, points.size(), hexahedra.size(), attachments);
   io::Atomic_file file(filename);
   std::string& text = file.text();
   const auto append_integer = [&](std::size_t i, char separator) {
@@ -106,8 +133,14 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
   if (binary && points.size() > std::size_t(0x7fffffff))
     throw Hex_mesh_file_error(filename, 0, "the mesh has too many points for this format");
 
-  text = std::string("# vtk DataFile Version 3.0\nhexahedral mesh\n") + (binary ? "BINARY" : "ASCII") +
-         "\nDATASET UNSTRUCTURED_GRID\nPOINTS " + std::to_string(points.size()) + " double\n";
+  io::Legacy_vtk_arrays_output output(file, binary);
+  text = "# vtk DataFile Version 3.0\n" + (attachments.title.empty() ? "hexahedral mesh" : attachments.title) +
+         (binary ? "\nBINARY" : "\nASCII") + "\nDATASET UNSTRUCTURED_GRID\n";
+  std::vector<const Hex_mesh_data_array*> field;
+  for (const Hex_mesh_data_array& array : attachments.field_data)
+    field.push_back(&array);
+  output.write_field(field);
+  text += "POINTS " + std::to_string(points.size()) + " double\n";
   for (const auto& p : points) {
     const std::array<double, 3> x = io::coordinates(p);
     for (int i = 0; i < 3; ++i) {
@@ -120,23 +153,49 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
     }
     file.write_if_large();
   }
-  text += (binary ? "\nCELLS " : "CELLS ") + std::to_string(hexahedra.size()) + " " +
-          std::to_string(9 * hexahedra.size()) + "\n";
-  for (const auto& hexahedron : hexahedra) {
-    append_integer(8, ' ');
-    int c = 0;
-    for (const auto& v : hexahedron)
-      append_integer(static_cast<std::size_t>(v), ++c == 8 ? '\n' : ' ');
-    file.write_if_large();
+  std::size_t number_of_cells = hexahedra.size(), size = 9 * hexahedra.size();
+  for (const Hex_mesh_cell& cell : attachments.other_cells) {
+    ++number_of_cells;
+    size += 1 + cell.vertices.size();
   }
-  text += (binary ? "\nCELL_TYPES " : "CELL_TYPES ") + std::to_string(hexahedra.size()) + "\n";
-  for (std::size_t h = 0; h < hexahedra.size(); ++h) {
-    append_integer(12, '\n');
+  if (binary && size > std::size_t(0x7fffffff))
+    throw Hex_mesh_file_error(filename, 0, "the mesh has too many cells for this format");
+  text += (binary ? "\nCELLS " : "CELLS ") + std::to_string(number_of_cells) + " " + std::to_string(size) + "\n";
+  const auto append_cell = [&](std::size_t number_of_vertices, const auto& vertices) {
+    append_integer(number_of_vertices, number_of_vertices == 0 ? '\n' : ' ');
+    std::size_t c = 0;
+    for (const auto& v : vertices)
+      append_integer(static_cast<std::size_t>(v), ++c == number_of_vertices ? '\n' : ' ');
     file.write_if_large();
-  }
+  };
+  io::for_each_cell(
+    hexahedra.size(), attachments, [&](std::size_t h) { append_cell(8, *(std::begin(hexahedra) + h)); },
+    [&](const Hex_mesh_cell& cell) { append_cell(cell.vertices.size(), cell.vertices); });
+  text += (binary ? "\nCELL_TYPES " : "CELL_TYPES ") + std::to_string(number_of_cells) + "\n";
+  const auto append_type = [&](int type) {
+    append_integer(static_cast<std::size_t>(type), '\n');
+    file.write_if_large();
+  };
+  io::for_each_cell(
+    hexahedra.size(), attachments, [&](std::size_t) { append_type(12); },
+    [&](const Hex_mesh_cell& cell) { append_type(cell.type); });
   if (binary)
     text += '\n';
+  output.write_attributes("POINT_DATA", points.size(), arrays.point_data);
+  output.write_attributes("CELL_DATA", number_of_cells, arrays.cell_data);
   file.commit();
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a hexahedral mesh as above, without attachments.
+ */
+template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
+void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                        const NamedParameters& np = parameters::default_values())
+{
+  write_vtk_hex_mesh(filename, points, hexahedra, Hex_mesh_attachments(), np);
 }
 
 } // namespace CGAL::IO

@@ -6,32 +6,24 @@
 
 // Reads and writes hexahedral meshes in the XML format of VTK (.vtu).
 
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Vtu_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Vtu_reader.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/vtk_output.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/vtu_arrays_output.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
-
-#ifdef CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB
-#include <zlib.h>
-#endif
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <sstream>
+#include <iterator>
 #include <string>
-#include <string_view>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::IO {
 
@@ -42,8 +34,9 @@ namespace CGAL::IO {
  *
  * The numbers may be text, base64, or appended, raw or base64. Arrays compressed with zlib can be read if the macro
  * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one
- * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra; cells of
- * dimension two and less, and data on points and cells, are skipped.
+ * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra. Cells of
+ * dimension two and less, and data on points, cells and the mesh as a whole, go to `attachments`; data that are
+ * damaged, or that not all pieces have, are named in `Hex_mesh_attachments::left_out`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -53,6 +46,7 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points the points, replaced
  * \param hexahedra the hexahedra, replaced
+ * \param attachments what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error if the file cannot be read, is malformed or truncated, has a coordinate that is not
  *         finite, an index out of range, or a cell of dimension three that is not a hexahedron. The error names
@@ -61,10 +55,25 @@ namespace CGAL::IO {
  * Complexity: linear in the size of the file.
  */
 template <class PointRange, class HexahedronRange>
-void read_vtu_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
+void read_vtu_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
+                       Hex_mesh_attachments& attachments)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::copy_hex_mesh(io::Vtu_reader(filename, io::Wanted_cells::HEXAHEDRA).read(), points, hexahedra);
+  io::Mesh_file_content content = io::Vtu_reader(filename, io::Wanted_cells::HEXAHEDRA).read();
+  io::copy_hex_mesh(content, points, hexahedra);
+  attachments = std::move(content.attachments);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * reads a hexahedral mesh as above, without attachments.
+ */
+template <class PointRange, class HexahedronRange>
+void read_vtu_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
+{
+  Hex_mesh_attachments ignored;
+  read_vtu_hex_mesh(filename, points, hexahedra, ignored);
 }
 
 /*!
@@ -83,32 +92,50 @@ void read_vtu_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
+ * \param attachments what else to write
  * \param np optional \ref bgl_namedparameters "Named Parameters" described below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether the numbers are written in binary form, as base64}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`attachments.is_binary`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Hex_mesh_file_error if the file cannot be written
+ * \throws Hex_mesh_file_error if the file cannot be written, or if the attachments do not fit to the mesh: labels or
+ *         tuples of an array that are not one per element, or a cell that refers to a point that does not exist
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
 void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                        const Hex_mesh_attachments& attachments,
                         const NamedParameters& np = parameters::default_values())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode), false);
+  const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode),
+                                                   attachments.is_binary);
+  const io::Arrays_to_write arrays(filename, points.size(), hexahedra.size(), attachments);
+  std::size_t number_of_cells = hexahedra.size(), size = 8 * hexahedra.size();
+  for (const Hex_mesh_cell& cell : attachments.other_cells) {
+    ++number_of_cells;
+    size += cell.vertices.size();
+  }
   io::Atomic_file file(filename);
   file.text() = "<?xml version=\"1.0\"?>\n"
                 "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                 "header_type=\"UInt64\">\n"
-                "<UnstructuredGrid>\n"
-                "<Piece NumberOfPoints=\"" +
-                std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(hexahedra.size()) +
-                "\">\n<Points>\n";
+                "<UnstructuredGrid>\n";
+  if (!attachments.field_data.empty()) {
+    file.text() += "<FieldData>\n";
+    for (const Hex_mesh_data_array& array : attachments.field_data)
+      io::write_vtu_array(file, array, binary, true);
+    file.text() += "</FieldData>\n";
+  }
+  file.text() += "<Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
+                 std::to_string(number_of_cells) + "\">\n";
+  io::write_vtu_data(file, "PointData", arrays.point_data, binary);
+  io::write_vtu_data(file, "CellData", arrays.cell_data, binary);
+  file.text() += "<Points>\n";
   io::Vtu_array<double> coordinates(file, "Float64", "Name=\"Points\" NumberOfComponents=\"3\"", 3 * points.size(),
                                     binary);
   for (const auto& p : points) {
@@ -118,23 +145,41 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
   }
   coordinates.close();
   file.text() += "</Points>\n<Cells>\n";
-  io::Vtu_array<std::int64_t> connectivity(file, "Int64", "Name=\"connectivity\"", 8 * hexahedra.size(), binary);
-  for (const auto& hexahedron : hexahedra) {
-    int c = 0;
-    for (const auto& v : hexahedron)
-      connectivity.append(static_cast<std::int64_t>(v), ++c == 8 ? '\n' : ' ');
-  }
+  io::Vtu_array<std::int64_t> connectivity(file, "Int64", "Name=\"connectivity\"", size, binary);
+  const auto append_vertices = [&](std::size_t number_of_vertices, const auto& vertices) {
+    std::size_t c = 0;
+    for (const auto& v : vertices)
+      connectivity.append(static_cast<std::int64_t>(v), ++c == number_of_vertices ? '\n' : ' ');
+  };
+  io::for_each_cell(
+    hexahedra.size(), attachments, [&](std::size_t h) { append_vertices(8, *(std::begin(hexahedra) + h)); },
+    [&](const Hex_mesh_cell& cell) { append_vertices(cell.vertices.size(), cell.vertices); });
   connectivity.close();
-  io::Vtu_array<std::int64_t> offsets(file, "Int64", "Name=\"offsets\"", hexahedra.size(), binary);
-  for (std::size_t h = 1; h <= hexahedra.size(); ++h)
-    offsets.append(static_cast<std::int64_t>(8 * h), '\n');
+  io::Vtu_array<std::int64_t> offsets(file, "Int64", "Name=\"offsets\"", number_of_cells, binary);
+  std::size_t end = 0;
+  io::for_each_cell(
+    hexahedra.size(), attachments, [&](std::size_t) { offsets.append(static_cast<std::int64_t>(end += 8), '\n'); },
+    [&](const Hex_mesh_cell& cell) { offsets.append(static_cast<std::int64_t>(end += cell.vertices.size()), '\n'); });
   offsets.close();
-  io::Vtu_array<std::uint8_t> types(file, "UInt8", "Name=\"types\"", hexahedra.size(), binary);
-  for (std::size_t h = 0; h < hexahedra.size(); ++h)
-    types.append(12, '\n');
+  io::Vtu_array<std::uint8_t> types(file, "UInt8", "Name=\"types\"", number_of_cells, binary);
+  io::for_each_cell(
+    hexahedra.size(), attachments, [&](std::size_t) { types.append(12, '\n'); },
+    [&](const Hex_mesh_cell& cell) { types.append(static_cast<std::uint8_t>(cell.type), '\n'); });
   types.close();
   file.text() += "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   file.commit();
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * writes a hexahedral mesh as above, without attachments.
+ */
+template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
+void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                        const NamedParameters& np = parameters::default_values())
+{
+  write_vtu_hex_mesh(filename, points, hexahedra, Hex_mesh_attachments(), np);
 }
 
 } // namespace CGAL::IO

@@ -6,14 +6,20 @@
 
 // Reads hexahedra or polygons in the legacy format of VTK (.vtk, text and binary).
 
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Legacy_vtk_arrays.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Text_scanner.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/add_vtk_cell.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/binary_number.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/complete_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/lowered.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/number_as_text.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/read_whole_file.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +45,12 @@ public:
     read_header();
     while (read_section()) {
     }
+    content_.attachments.is_binary = is_binary_;
+    if (grid_ != Grid::UNSTRUCTURED) {
+      make_grid();
+      complete_attachments(content_);
+      return std::move(content_);
+    }
     if (!has_points_)
       scanner_.fail("there are no POINTS");
     if (is_poly_data_)
@@ -48,6 +60,7 @@ public:
     if (!has_types_)
       scanner_.fail("there are no CELL_TYPES");
     add_cells(*cells_, [this](std::size_t i) { return types_[i]; });
+    complete_attachments(content_);
     return std::move(content_);
   }
 
@@ -73,7 +86,7 @@ private:
     if (!parse_number(number, version) || !(version >= 1 && version < 6))
       scanner_.fail(1, "version " + Text_scanner::printable(number) + " of the format is unknown");
     has_offsets_ = version >= 5;
-    scanner_.rest_of_line(); // the title
+    content_.attachments.title = std::string(scanner_.rest_of_line());
     const std::string encoding = lowered(scanner_.word());
     if (encoding != "ascii" && encoding != "binary")
       scanner_.fail("ASCII or BINARY is expected");
@@ -83,89 +96,104 @@ private:
   bool read_section()
   {
     const std::string keyword = lowered(scanner_.word());
-    // Everything after the mesh itself is data on it.
-    if (keyword.empty() || keyword == "point_data" || keyword == "cell_data")
+    if (keyword.empty() || keyword == "point_data" || keyword == "cell_data") {
+      if (wanted_ == Wanted_cells::HEXAHEDRA)
+        read_data(keyword);
       return false;
-    if (keyword == "dataset") {
-      const std::string type = lowered(scanner_.word());
-      is_poly_data_ = type == "polydata" && wanted_ == Wanted_cells::POLYGONS;
-      if (type != "unstructured_grid" && !is_poly_data_)
-        scanner_.fail("the dataset is " + Text_scanner::printable(type) + ", not UNSTRUCTURED_GRID");
-      has_dataset_ = true;
     }
+    if (keyword == "dataset")
+      read_dataset(lowered(scanner_.word()));
     else if (keyword == "field")
-      skip_field();
-    else if (keyword == "metadata")
-      skip_metadata();
+      arrays().read_field(content_.attachments.field_data);
+    else if (keyword == "metadata") {
+      // of the points, or of the last array of the field before them
+      const std::string text = arrays().metadata();
+      if (!has_points_ && !content_.attachments.field_data.empty())
+        content_.attachments.field_data.back().metadata = text;
+    }
     else if (!has_dataset_)
       scanner_.fail("DATASET is expected, not \"" + Text_scanner::printable(keyword) + "\"");
     else if (keyword == "points")
       read_points();
-    else if (keyword == "cells" && !is_poly_data_)
-      cells_ = read_cells();
-    else if (keyword == "cell_types" && !is_poly_data_) {
-      const std::size_t count = scanner_.count("the number of cell types", is_binary_ ? 4 : 2);
-      types_ = read_values<std::int64_t>("int", count, "a cell type");
-      has_types_ = true;
-    }
-    else if (is_poly_data_ && (keyword == "vertices" || keyword == "lines"))
-      read_cells();
-    else if (is_poly_data_ && keyword == "polygons")
-      add_cells(read_cells(), [](std::size_t) { return 7; });
-    else if (is_poly_data_ && keyword == "triangle_strips")
-      add_cells(read_cells(), [](std::size_t) { return 6; });
-    else
+    else if (!(is_poly_data_                 ? read_polygon_section(keyword)
+               : grid_ == Grid::UNSTRUCTURED ? read_cell_section(keyword)
+                                             : read_grid_section(keyword)))
       scanner_.fail("unknown keyword \"" + Text_scanner::printable(keyword) + "\"");
     return true;
   }
 
-  static Number_type number_type(const std::string& name)
+  void read_dataset(const std::string& type)
   {
-    if (name == "float")
-      return {Number_kind::FLOATING, 4};
-    if (name == "double")
-      return {Number_kind::FLOATING, 8};
-    if (name == "char" || name == "signed_char" || name == "vtktypeint8")
-      return {Number_kind::SIGNED, 1};
-    if (name == "unsigned_char" || name == "vtktypeuint8")
-      return {Number_kind::UNSIGNED, 1};
-    if (name == "short" || name == "vtktypeint16")
-      return {Number_kind::SIGNED, 2};
-    if (name == "unsigned_short" || name == "vtktypeuint16")
-      return {Number_kind::UNSIGNED, 2};
-    if (name == "int" || name == "vtkidtype" || name == "vtktypeint32")
-      return {Number_kind::SIGNED, 4};
-    if (name == "unsigned_int" || name == "vtktypeuint32")
-      return {Number_kind::UNSIGNED, 4};
-    if (name == "long" || name == "vtktypeint64")
-      return {Number_kind::SIGNED, 8};
-    if (name == "unsigned_long" || name == "vtktypeuint64")
-      return {Number_kind::UNSIGNED, 8};
-    return {};
+    if (wanted_ == Wanted_cells::POLYGONS)
+      is_poly_data_ = type == "polydata";
+    else
+      grid_ = type == "structured_grid"     ? Grid::CURVILINEAR
+              : type == "rectilinear_grid"  ? Grid::RECTILINEAR
+              : type == "structured_points" ? Grid::UNIFORM
+                                            : Grid::UNSTRUCTURED;
+    if (type != "unstructured_grid" && !is_poly_data_ && grid_ == Grid::UNSTRUCTURED)
+      scanner_.fail("the dataset is " + Text_scanner::printable(type) + ", not UNSTRUCTURED_GRID");
+    has_dataset_ = true;
   }
 
-  // The bytes of `count` numbers of the given type, after the line of the keyword.
-  const char* binary_data(Number_type type, std::size_t count)
+  bool read_polygon_section(const std::string& keyword)
   {
-    scanner_.rest_of_line();
-    scanner_.stop_naming_lines();
-    if (count > (text_.size() - scanner_.position()) / type.size)
-      scanner_.fail("the file ends within the data");
-    const char* data = text_.data() + scanner_.position();
-    scanner_.skip(count * type.size);
-    return data;
+    if (keyword == "vertices" || keyword == "lines")
+      read_cells();
+    else if (keyword == "polygons")
+      add_cells(read_cells(), [](std::size_t) { return 7; });
+    else if (keyword == "triangle_strips")
+      add_cells(read_cells(), [](std::size_t) { return 6; });
+    else
+      return false;
+    return true;
+  }
+
+  bool read_cell_section(const std::string& keyword)
+  {
+    if (keyword == "cells")
+      cells_ = read_cells();
+    else if (keyword == "cell_types") {
+      const std::size_t count = scanner_.count("the number of cell types", is_binary_ ? 4 : 2);
+      types_ = read_values<std::int64_t>("int", count, "a cell type");
+      has_types_ = true;
+    }
+    else
+      return false;
+    return true;
+  }
+
+  bool read_grid_section(const std::string& keyword)
+  {
+    if (keyword == "dimensions")
+      read_dimensions();
+    else if (grid_ == Grid::UNIFORM && keyword == "origin")
+      origin_ = read_three("a coordinate of the origin");
+    else if (grid_ == Grid::UNIFORM && (keyword == "spacing" || keyword == "aspect_ratio"))
+      spacing_ = read_three("a spacing");
+    else if (grid_ == Grid::RECTILINEAR && keyword == "x_coordinates")
+      read_coordinates(0);
+    else if (grid_ == Grid::RECTILINEAR && keyword == "y_coordinates")
+      read_coordinates(1);
+    else if (grid_ == Grid::RECTILINEAR && keyword == "z_coordinates")
+      read_coordinates(2);
+    else
+      return false;
+    return true;
   }
 
   template <class Value>
   std::vector<Value> read_values(const std::string& type_name, std::size_t count, const char* what,
                                  std::vector<std::size_t>* lines = nullptr)
   {
-    const Number_type type = number_type(type_name);
+    const Number_type type = legacy_vtk_number_type(type_name);
     if (type.size == 0 || (type.kind == Number_kind::FLOATING && std::is_integral<Value>::value))
       scanner_.fail("numbers of type \"" + Text_scanner::printable(type_name) + "\" cannot be read here");
     std::vector<Value> values;
     if (is_binary_) {
-      const char* data = binary_data(type, count);
+      if (count > text_.size() / type.size)
+        scanner_.fail("the file ends within the data");
+      const char* data = arrays().binary_data(count * type.size);
       values.reserve(count);
       for (std::size_t i = 0; i < count; ++i) {
         values.push_back(decode_number<Value>(data + i * type.size, type, is_little_endian_machine()));
@@ -285,63 +313,114 @@ private:
     }
   }
 
-  // Ends with an empty line.
-  void skip_metadata()
+  Legacy_vtk_arrays arrays() { return {scanner_, is_binary_}; }
+
+  // Everything after the mesh itself is data on it. The mesh is read even if they are damaged.
+  void read_data(std::string keyword)
   {
-    scanner_.rest_of_line();
-    while (scanner_.position() < text_.size() && !scanner_.rest_of_line().empty()) {
+    std::vector<CGAL::IO::Hex_mesh_data_array>* target = nullptr;
+    std::uint64_t tuples = 0;
+    try {
+      for (; !keyword.empty(); keyword = lowered(scanner_.word()))
+        if (keyword == "point_data" || keyword == "cell_data") {
+          target = keyword == "point_data" ? &content_.attachments.point_data : &content_.attachments.cell_data;
+          tuples = scanner_.natural("the number of tuples");
+        }
+        else if (keyword == "field")
+          arrays().read_field(*target);
+        else if (keyword == "metadata") {
+          const std::string text = arrays().metadata();
+          if (!target->empty())
+            target->back().metadata = text;
+        }
+        else if (!arrays().read_attribute(keyword, tuples, *target))
+          scanner_.fail("unknown keyword \"" + Text_scanner::printable(keyword) + "\"");
+    }
+    catch (const CGAL::IO::Hex_mesh_file_error& error) {
+      content_.attachments.left_out.push_back("the data from here on: " + std::string(error.what()));
     }
   }
 
-  void skip_field()
+  // The number of points in each direction.
+  void read_dimensions()
   {
-    scanner_.word(); // the name of the field
-    const std::size_t number_of_arrays = scanner_.count("the number of arrays", 1);
-    for (std::size_t a = 0; a < number_of_arrays; ++a) {
-      while (lowered(scanner_.word()) == "metadata")
-        skip_metadata();
-      const std::size_t components = scanner_.count("the number of components", 1);
-      const std::size_t tuples = scanner_.count("the number of tuples", 1);
-      const std::string type = lowered(scanner_.word());
-      if (tuples != 0 && components > text_.size() / tuples)
-        scanner_.fail("the array is larger than the file");
-      const std::size_t size = components * tuples;
-      if (type == "string")
-        skip_strings(size);
-      else if (is_binary_) {
-        if (number_type(type).size == 0)
-          scanner_.fail("arrays of type \"" + Text_scanner::printable(type) + "\" cannot be read");
-        binary_data(number_type(type), size);
-      }
-      else
-        for (std::size_t i = 0; i < size; ++i)
-          scanner_.word();
-    }
+    for (std::size_t& d : dimensions_)
+      d = scanner_.natural("a number of points");
+    has_dimensions_ = true;
   }
 
-  void skip_strings(std::size_t count)
+  std::array<double, 3> read_three(const char* what)
   {
-    scanner_.rest_of_line();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!is_binary_) {
-        scanner_.rest_of_line();
-        continue;
-      }
-      // The first two bits tell in how many bytes the length is written.
-      scanner_.stop_naming_lines();
-      const std::size_t left = text_.size() - scanner_.position();
-      const unsigned char head = left == 0 ? 0 : static_cast<unsigned char>(text_[scanner_.position()]);
-      const std::size_t bytes = std::size_t(8) >> (head >> 6);
-      if (bytes > left)
-        scanner_.fail("the file ends within a string");
-      std::uint64_t length = head & (bytes == 8 ? 0xff : 0x3f);
-      for (std::size_t b = 1; b < bytes; ++b)
-        length = length << 8 | static_cast<unsigned char>(text_[scanner_.position() + b]);
-      if (length > left - bytes)
-        scanner_.fail("the file ends within a string");
-      scanner_.skip(bytes + static_cast<std::size_t>(length));
-    }
+    std::array<double, 3> x;
+    for (double& x_i : x)
+      x_i = scanner_.coordinate(what);
+    return x;
   }
+
+  void read_coordinates(int axis)
+  {
+    const std::size_t count = scanner_.count("the number of coordinates", is_binary_ ? 1 : 2);
+    const std::string type = lowered(scanner_.word());
+    coordinates_[axis] = read_values<double>(type, count, "a coordinate");
+  }
+
+  // The points of a grid whose file does not list them, and the hexahedra between the points of any grid.
+  void make_grid()
+  {
+    const auto& n = dimensions_;
+    if (!has_dimensions_)
+      scanner_.fail("there are no DIMENSIONS");
+    if (n[0] < 2 || n[1] < 2 || n[2] < 2)
+      scanner_.fail("a grid of " + printed_dimensions() + " points has no hexahedra");
+    // A grid in a file that lists neither points nor data may be large, but not out of all proportion.
+    const std::size_t most = has_points_ ? content_.points.size() : (std::max)(std::size_t(1) << 22, text_.size());
+    if (n[0] > most / n[1] || n[0] * n[1] > most / n[2])
+      scanner_.fail("a grid of " + printed_dimensions() + " points is more than " +
+                    (has_points_ ? "the POINTS of the file" : "a file of this size can hold"));
+    const std::size_t count = n[0] * n[1] * n[2];
+    if (grid_ == Grid::CURVILINEAR) {
+      if (!has_points_)
+        scanner_.fail("there are no POINTS");
+      if (content_.points.size() != count)
+        scanner_.fail("there are " + std::to_string(content_.points.size()) + " points, not " + printed_dimensions());
+    }
+    else {
+      if (grid_ == Grid::RECTILINEAR)
+        for (int axis = 0; axis < 3; ++axis)
+          if (coordinates_[axis].size() != n[axis])
+            scanner_.fail("there are " + std::to_string(coordinates_[axis].size()) + ' ' + "XYZ"[axis] +
+                          "_COORDINATES, not " + std::to_string(n[axis]));
+      content_.points.reserve(count);
+      const auto coordinate = [&](int axis, std::size_t i) {
+        return grid_ == Grid::RECTILINEAR ? coordinates_[axis][i] : origin_[axis] + double(i) * spacing_[axis];
+      };
+      for (std::size_t k = 0; k < n[2]; ++k)
+        for (std::size_t j = 0; j < n[1]; ++j)
+          for (std::size_t i = 0; i < n[0]; ++i) {
+            content_.points.push_back({coordinate(0, i), coordinate(1, j), coordinate(2, k)});
+            for (const double x : content_.points.back())
+              if (!std::isfinite(x))
+                scanner_.fail("a coordinate of the grid is not a finite number");
+          }
+    }
+    content_.hexahedra.reserve((n[0] - 1) * (n[1] - 1) * (n[2] - 1));
+    for (std::size_t k = 0; k + 1 < n[2]; ++k)
+      for (std::size_t j = 0; j + 1 < n[1]; ++j)
+        for (std::size_t i = 0; i + 1 < n[0]; ++i) {
+          const std::size_t v = i + n[0] * (j + n[1] * k), y = n[0], z = n[0] * n[1];
+          content_.hexahedra.push_back({v, v + 1, v + y + 1, v + y, v + z, v + z + 1, v + z + y + 1, v + z + y});
+        }
+    content_.attachments.left_out.push_back("the dimensions " + printed_dimensions() +
+                                            " of the grid: it is an unstructured one from here on");
+  }
+
+  std::string printed_dimensions() const
+  {
+    return std::to_string(dimensions_[0]) + " x " + std::to_string(dimensions_[1]) + " x " +
+           std::to_string(dimensions_[2]);
+  }
+
+  enum class Grid { UNSTRUCTURED, CURVILINEAR, RECTILINEAR, UNIFORM };
 
   std::string text_;
   Text_scanner scanner_;
@@ -352,6 +431,11 @@ private:
   bool has_dataset_ = false;
   bool has_points_ = false;
   bool has_types_ = false;
+  Grid grid_ = Grid::UNSTRUCTURED;
+  bool has_dimensions_ = false;
+  std::array<std::size_t, 3> dimensions_{};
+  std::array<double, 3> origin_{}, spacing_{{1, 1, 1}};
+  std::array<std::vector<double>, 3> coordinates_; // of a rectilinear grid
   std::optional<Cells> cells_;
   std::vector<std::int64_t> types_;
   Mesh_file_content content_;

@@ -41,6 +41,8 @@ public:
         read_cells(section);
     if (wanted_ == Wanted_cells::HEXAHEDRA && number_of_hexahedra_sections_ == 0)
       throw CGAL::IO::Hex_mesh_file_error(filename_, last_line_, "there is no Hexahedra section");
+    for (CGAL::IO::Hex_mesh_cell& cell : content_.attachments.other_cells)
+      cell.number_of_hexahedra_before = content_.hexahedra.size();
     return std::move(content_);
   }
 
@@ -153,8 +155,28 @@ private:
                                               "hexahedra with eight vertices");
       keep(section);
     }
+    else if (name == "Edges")
+      read_other_cells(section, scanner, 3, 2);
+    else if (name == "Triangles")
+      read_other_cells(section, scanner, 5, 3);
+    else if (name == "Quadrilaterals")
+      read_other_cells(section, scanner, 9, 4);
     else
       keep(section);
+  }
+
+  void read_other_cells(const Section& section, Text_scanner& scanner, int vtk_type, std::size_t size)
+  {
+    const std::size_t count = scanner.count("the number of cells", 2 * (size + 1));
+    for (std::size_t i = 0; i < count; ++i) {
+      CGAL::IO::Hex_mesh_cell cell;
+      cell.type = vtk_type;
+      cell.vertices.resize(size);
+      read_indices(scanner, cell.vertices);
+      cell.label = scanner.integer("the label of a cell");
+      content_.attachments.other_cells.push_back(std::move(cell));
+    }
+    check_end(scanner, section);
   }
 
   void read_hexahedra(const Section& section, Text_scanner& scanner)

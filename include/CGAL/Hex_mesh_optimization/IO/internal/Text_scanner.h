@@ -117,15 +117,22 @@ public:
     return value;
   }
 
-  // The number of elements that follow. At least `bytes_each` bytes must be
-  // left for each: a huge number in a small file allocates nothing.
-  std::size_t count(const char* what, std::size_t bytes_each)
+  // A number that is not negative.
+  std::uint64_t natural(const char* what)
   {
     const std::int64_t value = integer(what);
     if (value < 0)
       fail(std::string(what) + " is negative: " + std::to_string(value));
+    return static_cast<std::uint64_t>(value);
+  }
+
+  // The number of elements that follow. At least `bytes_each` bytes must be
+  // left for each: a huge number in a small file allocates nothing.
+  std::size_t count(const char* what, std::size_t bytes_each)
+  {
+    const std::uint64_t value = natural(what);
     // The last element needs no separator after it.
-    if (static_cast<std::uint64_t>(value) > (text_.size() - position_ + 1) / bytes_each)
+    if (value > (text_.size() - position_ + 1) / bytes_each)
       fail(std::string(what) + " is " + std::to_string(value) + ", more than the rest of the file can hold");
     return static_cast<std::size_t>(value);
   }

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal::IO {
 
@@ -72,6 +73,8 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
     case 75:
     case 76:
     case 77:
+      content.attachments.other_cells.push_back(
+        {static_cast<int>(type), std::vector<std::size_t>(vertices, vertices + size), 0, content.hexahedra.size()});
       return std::string();
     case 10:
       return "it is a tetrahedron, not a hexahedron";
@@ -79,6 +82,13 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
       return "it is a wedge, not a hexahedron";
     case 14:
       return "it is a pyramid, not a hexahedron";
+    case 25:
+    case 29:
+    case 33:
+    case 72:
+    case 79:
+      return "it is a hexahedron of higher order (type " + std::to_string(type) + ", " + std::to_string(size) +
+             " nodes): only hexahedra with eight vertices can be optimized";
     default:
       return "it has type " + std::to_string(type) + ", which is no hexahedron with eight vertices";
     }

@@ -51,9 +51,10 @@ bool parse_number(std::string_view word, Integer& value)
   return result.ec == std::errc() && result.ptr == word.data() + word.size();
 }
 
-// Appends the shortest decimal number that reads back as the same double: at
-// most 17 significant digits.
-inline void append_number(std::string& text, double value)
+// Appends the shortest decimal number that reads back as the same number: at
+// most 17 significant digits for a double, 9 for a float.
+template <class Real, std::enable_if_t<std::is_floating_point<Real>::value, int> = 0>
+void append_number(std::string& text, Real value)
 {
 #if defined(__cpp_lib_to_chars)
   char buffer[32];
@@ -61,7 +62,7 @@ inline void append_number(std::string& text, double value)
 #else
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out.precision(17);
+  out.precision(std::numeric_limits<Real>::max_digits10);
   out << value;
   text += out.str();
 #endif

@@ -10,11 +10,13 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/coincident_vertices.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/orientation.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/quality_statistics.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -37,21 +39,24 @@ public:
     return quality_statistics(order.as_given(positions), given_hexahedra_);
   }
 
-  const bool is_reversed;   // they were numbered inside out: bottom and top are exchanged
-  const Memory_order order; // in which all that follows is
+  const std::vector<std::size_t> turned_hexahedra; // as the caller numbers them: bottom and top are exchanged
+  const std::size_t number_of_coincident_vertices; // that would be gone if vertices that coincide were merged
+  const Memory_order order;                        // in which all that follows is
   const Positions points;
   const Hexahedral_complex complex;
 
 private:
   struct Numbering
   {
-    bool is_reversed;
+    std::vector<std::size_t> turned_hexahedra;
+    std::size_t number_of_coincident_vertices;
     Memory_order order;
     std::vector<Hexahedron> hexahedra;
   };
 
   Checked_mesh(const Positions& given, const Regions& regions, Numbering numbering)
-    : is_reversed(numbering.is_reversed)
+    : turned_hexahedra(std::move(numbering.turned_hexahedra))
+    , number_of_coincident_vertices(numbering.number_of_coincident_vertices)
     , order(std::move(numbering.order))
     , points(order.ordered(given))
     , complex(given.size(), order.ordered(numbering.hexahedra), order.ordered(regions))
@@ -61,14 +66,23 @@ private:
   static Numbering numbering(const Positions& points, const std::vector<Hexahedron>& hexahedra)
   {
     check(points, hexahedra);
-    const Hexahedral_complex complex(points.size(), hexahedra);
+    const Face_neighbors neighbors(hexahedra);
+    const Orientation orientation(points, hexahedra, neighbors);
+    std::vector<std::size_t> turned_hexahedra;
+    std::vector<Hexahedron> outwards = hexahedra;
+    for (std::size_t h = 0; h < hexahedra.size(); ++h)
+      if (orientation.is_turned()[h]) {
+        turned_hexahedra.push_back(h);
+        outwards[h] = turned(hexahedra[h]);
+      }
+    const Hexahedral_complex complex(points.size(), outwards);
     if (complex.boundary_faces.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
-    if (!(enclosed_volume(points, complex) < 0))
-      return {false, Memory_order(complex), hexahedra};
-    std::vector<Hexahedron> outwards = reversed(hexahedra);
-    Memory_order order(Hexahedral_complex(points.size(), outwards));
-    return {true, std::move(order), std::move(outwards)};
+    const std::vector<int> coincident = coincident_vertices(points, neighbors);
+    std::size_t number_of_coincident_vertices = 0;
+    for (std::size_t v = 0; v < coincident.size(); ++v)
+      number_of_coincident_vertices += coincident[v] != static_cast<int>(v);
+    return {std::move(turned_hexahedra), number_of_coincident_vertices, Memory_order(complex), std::move(outwards)};
   }
 
   static void check(const Positions& points, const std::vector<Hexahedron>& hexahedra)
@@ -93,33 +107,6 @@ private:
                               "hexahedron " + std::to_string(h) + " has vertex " + std::to_string(hexahedra[h][i]) +
                                 " at two corners");
       }
-  }
-
-  static std::vector<Hexahedron> reversed(std::vector<Hexahedron> hexahedra)
-  {
-    for (Hexahedron& h : hexahedra)
-      for (int i = 0; i < 4; ++i)
-        std::swap(h[i], h[i + 4]);
-    return hexahedra;
-  }
-
-  // Six times the volume within the boundary, up to scale: a tangled interior, however far out, does not matter.
-  static double enclosed_volume(const Positions& points, const Hexahedral_complex& complex)
-  {
-    const Vector_3 origin = points[complex.boundary_faces[0].vertices[0]];
-    double extent = 0;
-    for (const auto& f : complex.boundary_faces)
-      for (int v : f.vertices)
-        extent = (std::max)(extent, (points[v] - origin).cwiseAbs().maxCoeff());
-    double volume = 0;
-    for (const auto& f : complex.boundary_faces) {
-      Vector_3 p[4];
-      for (int i = 0; i < 4; ++i)
-        p[i] = (points[f.vertices[i]] - origin) / extent;
-      volume += p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3])) + p[1].dot(p[2].cross(p[3])) +
-                p[0].dot(p[1].cross(p[3]));
-    }
-    return volume;
   }
 
   const std::vector<Hexahedron> given_hexahedra_; // in the caller's order and numbering, but for the orientation

@@ -45,7 +45,8 @@ public:
     , parameters_(parameters)
     , positions_(mesh.points)
   {
-    status.orientation_reversed = mesh.is_reversed;
+    status.turned_hexahedra = mesh.turned_hexahedra;
+    status.number_of_coincident_vertices = mesh.number_of_coincident_vertices;
     status.before = mesh.statistics(mesh.points);
     std::vector<int> labels = mesh.complex.labels.empty() ? std::vector<int>(1, 0) : mesh.complex.labels;
     std::sort(labels.begin(), labels.end());
