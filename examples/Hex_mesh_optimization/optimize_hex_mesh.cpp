@@ -310,19 +310,36 @@ HMO::Status in_threads(int number, const Work& work)
 #endif
 }
 
-// The labels of a file, renumbered from 0 in their order, so that they fit into any integer.
-std::vector<int> numbered(const std::vector<std::int64_t>& labels)
+// The labels of the hexahedra of a file: those that occur, in increasing order, and the number of each hexahedron's own
+// among them, which fits into any integer. With no labels, all hexahedra have the number 0.
+struct Labels
 {
-  std::vector<std::int64_t> values(labels);
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  std::vector<int> result;
-  for (std::int64_t l : labels)
-    result.push_back(static_cast<int>(std::lower_bound(values.begin(), values.end(), l) - values.begin()));
+  std::vector<std::int64_t> values;
+  std::vector<int> numbers;
+
+  explicit Labels(const std::vector<std::int64_t>& labels) : values(labels)
+  {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    for (std::int64_t l : labels)
+      numbers.push_back(static_cast<int>(std::lower_bound(values.begin(), values.end(), l) - values.begin()));
+  }
+
+  int number(std::size_t hexahedron) const { return numbers.empty() ? 0 : numbers[hexahedron]; }
+  std::int64_t value(int number) const { return values.empty() ? 0 : values[number]; }
+};
+
+// The quadrilaterals of a file that have a label: if hexahedra are on both sides, it is a face to be kept.
+std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_attachments& attachments)
+{
+  std::vector<std::array<std::size_t, 4>> result;
+  for (const auto& quadrilateral : attachments.labelled_quadrilaterals())
+    if (quadrilateral.label != 0)
+      result.push_back(quadrilateral.vertices);
   return result;
 }
 
-HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
+HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher& watcher)
 {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
@@ -331,10 +348,10 @@ HMO::Status optimize(Mesh& mesh, const Options& o, Watcher& watcher)
   if (!o.frozen.empty())
     for (std::size_t v : read_vertices(o.frozen, mesh.points.size()))
       frozen.insert(mesh.merged_into.empty() ? v : mesh.merged_into[v]);
-  const std::vector<int> labels = numbered(mesh.attachments.hexahedron_labels);
   const auto np = CGAL::parameters::features_angle_bound(o.features_angle)
                     .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
-                      [&](std::size_t h) { return labels.empty() ? 0 : labels[h]; }))
+                      [&](std::size_t h) { return labels.number(h); }))
+                    .internal_faces(labelled_faces(mesh.attachments))
                     .fixed_boundary(o.fixed_boundary)
                     .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE
                                                      : HMO::Boundary_placement::WITHIN_TOLERANCE)
@@ -407,7 +424,7 @@ void print_connectivity_limits(const HMO::Status& status)
               << " have a limit below 1 from the connectivity and are below it.\n";
 }
 
-void print_report(const HMO::Status& status, const Mesh& mesh)
+void print_report(const HMO::Status& status, const Mesh& mesh, const Labels& labels)
 {
   const auto row = [&status](const char* title, auto HMO::Quality_statistics::*number) {
     print_row(title, text(status.before.*number), text(status.after.*number));
@@ -421,8 +438,15 @@ void print_report(const HMO::Status& status, const Mesh& mesh)
   row("standard deviation", &HMO::Quality_statistics::standard_deviation);
   row("99th percentile of edge ratio", &HMO::Quality_statistics::edge_ratio_99);
   print_row("volume", text(status.volume_before), text(status.volume_after));
+  if (status.regions.size() > 1)
+    for (const HMO::Region_volume& region : status.regions)
+      print_row("  of label " + std::to_string(labels.value(region.label)), text(region.before), text(region.after));
   print_row("average deviation / diagonal", "", text(status.deviation.average_relative));
   print_row("maximum deviation / diagonal", "", text(status.deviation.maximum_relative));
+  for (const HMO::Interface_statistics& i : status.interfaces)
+    print_row("  between labels " + std::to_string(labels.value(i.labels[0])) + " and " +
+                std::to_string(labels.value(i.labels[1])),
+              "", text(i.deviation.maximum_relative));
   if (std::isfinite(status.deviation_bound))
     print_row("certified maximum, as a length", "", text(status.deviation.certified));
   print_row("seconds", "", text(status.total_seconds));
@@ -546,7 +570,7 @@ Json json(const Options& o)
           {"threads", o.threads}};
 }
 
-Json json(const HMO::Status& status, const Mesh& mesh)
+Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labels)
 {
   Json invalid = Json::array();
   for (std::size_t h : status.invalid_hexahedra) {
@@ -560,6 +584,14 @@ Json json(const HMO::Status& status, const Mesh& mesh)
                       {"largest_scaled_jacobian", l.largest_scaled_jacobian},
                       {"scaled_jacobian", l.scaled_jacobian},
                       {"is_reached", l.is_reached()}});
+  Json regions = Json::array(), interfaces = Json::array();
+  for (const HMO::Region_volume& r : status.regions)
+    regions.push_back({{"label", labels.value(r.label)}, {"volume_before", r.before}, {"volume_after", r.after}});
+  for (const HMO::Interface_statistics& i : status.interfaces)
+    interfaces.push_back({{"labels", {labels.value(i.labels[0]), labels.value(i.labels[1])}},
+                          {"number_of_faces", i.number_of_faces},
+                          {"average_deviation", i.deviation.average},
+                          {"maximum_deviation", i.deviation.maximum}});
   return {{"return_code", json(status.return_code)},
           {"valid_mesh", status.valid_mesh()},
           {"number_of_turned_hexahedra", status.number_of_turned_hexahedra()},
@@ -569,6 +601,8 @@ Json json(const HMO::Status& status, const Mesh& mesh)
           {"after", json(status.after)},
           {"volume_before", status.volume_before},
           {"volume_after", status.volume_after},
+          {"regions", regions},
+          {"interfaces", interfaces},
           {"deviation",
            {{"average", status.deviation.average},
             {"maximum", status.deviation.maximum},
@@ -589,11 +623,11 @@ Json json(const HMO::Status& status, const Mesh& mesh)
           {"connectivity_limits", limits}};
 }
 
-void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh,
+void write_json(const Options& options, const HMO::Status& status, const Mesh& mesh, const Labels& labels,
                 const std::vector<std::string>& lost, const std::vector<HMO::Iteration>& iterations)
 {
   Json report = {{"options", json(options)},
-                 {"status", json(status, mesh)},
+                 {"status", json(status, mesh, labels)},
                  {"number_of_merged_vertices", mesh.number_of_merged()},
                  {"labels",
                   {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
@@ -619,19 +653,20 @@ Exit_code run(const Options& options)
     for (const std::string& line : lost)
       std::cerr << "warning: not in the output: " << line << '\n';
 
+  const Labels labels(mesh.attachments.hexahedron_labels);
   HMO::Status status;
   std::vector<HMO::Iteration> iterations;
   {
     Watcher watcher(options.quiet);
     if (options.merge) {
       Mesh one = merged(mesh);
-      status = optimize(one, options, watcher);
+      status = optimize(one, labels, options, watcher);
       mesh.merged_into = std::move(one.merged_into);
       for (std::size_t v = 0; v < mesh.points.size(); ++v)
         mesh.points[v] = one.points[mesh.merged_into[v]];
     }
     else
-      status = optimize(mesh, options, watcher);
+      status = optimize(mesh, labels, options, watcher);
     iterations = watcher.iterations();
   }
   for (std::size_t h : status.turned_hexahedra)
@@ -639,9 +674,9 @@ Exit_code run(const Options& options)
 
   CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.quiet)
-    print_report(status, mesh);
+    print_report(status, mesh, labels);
   if (!options.json.empty())
-    write_json(options, status, mesh, lost, iterations);
+    write_json(options, status, mesh, labels, lost, iterations);
   return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
 }
 
