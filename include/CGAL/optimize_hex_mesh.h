@@ -11,20 +11,19 @@
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,13 +32,6 @@ namespace CGAL {
 
 namespace Hex_mesh_optimization {
 namespace internal {
-
-template <class T>
-struct Is_named_parameters : std::false_type
-{};
-template <class T, class Tag, class Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{};
 
 // They tell the four overloads apart.
 template <class LCC, class T>
@@ -51,38 +43,6 @@ using Enable_for_parameters =
 template <class PointRange, class T, bool last>
 using Enable_for_ranges =
   std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && Is_named_parameters<T>::value == last, int>;
-
-template <class HexahedronRange>
-std::vector<Hexahedron> engine_hexahedra(const HexahedronRange& hexahedra)
-{
-  std::vector<Hexahedron> result;
-  result.reserve(hexahedra.size());
-  for (const auto& h : hexahedra) {
-    const auto count = std::distance(std::begin(h), std::end(h));
-    if (count != 8)
-      throw Input_error(Input_error::Element::HEXAHEDRON, result.size(),
-                        "cell " + std::to_string(result.size()) + " has " + std::to_string(count) +
-                          " vertices: it is not a hexahedron");
-    Hexahedron hexahedron;
-    auto corner = std::begin(h);
-    for (int& v : hexahedron) {
-      const auto index = static_cast<unsigned long long>(*corner++); // negative ones become huge
-      v = index > 0x7fffffffull ? -1 : static_cast<int>(index);
-    }
-    result.push_back(hexahedron);
-  }
-  return result;
-}
-
-template <class PointRange>
-Positions engine_positions(const PointRange& points)
-{
-  Positions result;
-  result.reserve(points.size());
-  for (const auto& p : points)
-    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  return result;
-}
 
 // point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
 template <class ConcurrencyTag, class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>

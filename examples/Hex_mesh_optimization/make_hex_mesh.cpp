@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command-line program: reads a surface, makes a hexahedral mesh of what it bounds, writes it, and tells how good it is.
+
+#include "program.h"
+
+#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/IO/surface.h>
+#include <CGAL/Hex_mesh_optimization/repair_surface.h>
+#include <CGAL/make_hex_mesh.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+// exact predicates, for the repair
+using Surface = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+const char* const exit_codes =
+  "The format of a surface (.off, .obj, .stl, .ply, .mesh, .vtk, .vtu) and of a mesh (.mesh, .vtk, .vtu) is told by "
+  "the\n"
+  "extension.\n"
+  "Interrupted (Ctrl-C), the program writes the best mesh so far; interrupted twice, it ends without.\n"
+  "Vertices, faces and hexahedra are counted from 0.\n"
+  "\n"
+  "Exit codes:\n"
+  "  0  OUTPUT is written and valid\n"
+  "  1  OUTPUT is written, but invalid hexahedra remain, or --max-deviation is not met\n"
+  "  2  wrong usage; nothing is written\n"
+  "  3  a file cannot be read, used or written, SURFACE bounds no volume, or memory is short; OUTPUT is not written";
+
+struct Options
+{
+  const HMO::internal::Meshing_parameters defaults;
+  const HMO::internal::Optimization_parameters of_optimization;
+
+  std::string surface, output, json;
+  std::size_t cells = defaults.number_of_hexahedra;
+  double spacing = defaults.spacing;
+  std::size_t across = defaults.cells_across;
+  bool repair = false;
+  double features_angle = defaults.features.angle_bound;
+  bool on_surface = of_optimization.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
+  double target_quality = of_optimization.target_quality;
+  double maximum_deviation = of_optimization.maximum_deviation;
+  double time_limit = of_optimization.maximum_running_time;
+  int threads = 1;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& app, Options& o)
+{
+  app.footer(exit_codes);
+  app.get_formatter()->column_width(34);
+  app.add_option("SURFACE", o.surface, "the closed surface of the volume to mesh")->required();
+  app.add_option("OUTPUT", o.output, "the file to write")->required();
+  CLI::Option* const cells = app
+                               .add_option("--cells", o.cells,
+                                           "about how many hexahedra to make; more where thin parts need them")
+                               ->type_name("N")
+                               ->check(CLI::Range(std::size_t(1), std::size_t(100000000)).description(""))
+                               ->capture_default_str();
+  app.add_option("--spacing", o.spacing, "the length of the cells instead")
+    ->type_name("LENGTH")
+    ->check(CLI::PositiveNumber.description(""))
+    ->excludes(cells);
+  app.add_option("--across", o.across, "how many cells to have between opposite walls")
+    ->type_name("N")
+    ->check(CLI::Range(std::size_t(1), std::size_t(1000)).description(""))
+    ->capture_default_str();
+  app.add_flag("--repair", o.repair,
+               "mend a surface that is open, intersects itself or is not oriented, where that is possible");
+  app
+    .add_option("--features-angle", o.features_angle,
+                "an edge is sharp if the normals beside it differ by more than this")
+    ->type_name("DEGREES")
+    ->check(CLI::Range(0., 180.).description(""))
+    ->capture_default_str();
+  app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the surface exactly");
+  add_common_options(app, o);
+}
+
+Json json(const Options& o)
+{
+  return {{"surface", o.surface},
+          {"output", o.output},
+          {"cells", o.spacing > 0 ? Json() : Json(o.cells)},
+          {"spacing", o.spacing > 0 ? Json(o.spacing) : Json()},
+          {"across", o.across},
+          {"repair", o.repair},
+          {"features_angle", o.features_angle},
+          {"on_surface", o.on_surface},
+          {"target_quality", o.target_quality},
+          {"maximum_deviation", o.maximum_deviation},
+          {"time_limit", o.time_limit},
+          {"threads", o.threads}};
+}
+
+HMO::Meshing_status make(const Surface& surface, const Options& o, Mesh& mesh, Watcher& watcher)
+{
+  const auto np = CGAL::parameters::number_of_hexahedra(o.cells)
+                    .grid_spacing(o.spacing)
+                    .cells_across(o.across)
+                    .features_angle_bound(o.features_angle)
+                    .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE
+                                                     : HMO::Boundary_placement::WITHIN_TOLERANCE)
+                    .target_quality(o.target_quality)
+                    .maximum_deviation(o.maximum_deviation)
+                    .maximum_running_time(o.time_limit)
+                    .visitor(std::ref(watcher));
+  return in_threads(o.threads, [&] {
+    return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface, mesh.points, mesh.hexahedra, np);
+  });
+}
+
+Exit_code run(const Options& options)
+{
+  check_output(options.output);
+  if (!options.json.empty())
+    check_writable(options.json);
+
+  Surface surface;
+  CGAL::IO::read_surface(options.surface, surface);
+  if (options.repair)
+    HMO::repair_surface(surface);
+
+  Mesh mesh;
+  HMO::Meshing_status status;
+  std::vector<HMO::Iteration> iterations;
+  {
+    Watcher watcher(options.quiet);
+    status = make(surface, options, mesh, watcher);
+    iterations = watcher.iterations();
+  }
+
+  CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra);
+  if (!options.quiet) {
+    print_report(status, mesh);
+    if (!status.has_topology_of_surface)
+      std::cout
+        << "THE MESH HAS NOT THE TOPOLOGY OF THE SURFACE: holes are closed, walls have holes, or parts are lost;"
+        << " the spacing, " << text(status.spacing) << ", is too large for them.\n";
+    if (!status.thin_faces.empty())
+      std::cout << status.thin_faces.size() << " of " << surface.number_of_faces()
+                << " faces of the surface have less than " << options.across
+                << (options.across == 1 ? " cell" : " cells") << " behind them: parts there are thin for the spacing, "
+                << text(status.spacing) << (options.json.empty() ? " (--json lists them)" : "") << ".\n";
+  }
+  if (!options.json.empty()) {
+    Json of_status = json(status, mesh);
+    of_status["spacing"] = status.spacing;
+    of_status["has_topology_of_surface"] = status.has_topology_of_surface;
+    of_status["thin_faces"] = status.thin_faces;
+    write_json(options.json, {{"options", json(options)}, {"status", of_status}}, iterations);
+  }
+  return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
+}
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Makes a hexahedral mesh of the volume that a triangle surface bounds.");
+  Options options;
+  add_options(app, options);
+  return run_program(app, argc, argv, [&] { return run(options); });
+}

@@ -1,0 +1,465 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_PROGRAM_H
+#define CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_PROGRAM_H
+
+// The manners that the command-line programs share: exit codes, progress, interruption, the report in words and as JSON.
+
+#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/Status.h>
+#include <CGAL/Hex_mesh_optimization/Visitor.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Json = nlohmann::ordered_json;
+
+enum Exit_code { ALL_IS_MET = 0, SOMETHING_IS_NOT_MET = 1, USAGE_ERROR = 2, UNUSABLE_FILE = 3 };
+
+// Of the optimization, which all programs that optimize have.
+template <class Options>
+void add_common_options(CLI::App& app, Options& o)
+{
+  app
+    .add_option("--target-quality", o.target_quality,
+                "stop once the mesh is valid and its minimum scaled Jacobian this good")
+    ->type_name("QUALITY");
+  app
+    .add_option("--max-deviation", o.maximum_deviation,
+                "how far the boundary and the reference may be apart, in both directions")
+    ->type_name("LENGTH")
+    ->check(CLI::PositiveNumber.description(""));
+  app.add_option("--time-limit", o.time_limit, "stop after that time and write the best mesh so far")
+    ->type_name("SECONDS")
+    ->check(CLI::Range(0., 1e9).description(""));
+  app.add_option("--threads", o.threads, "number of threads (one, if this program was built without TBB)")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1024).description(""))
+    ->capture_default_str();
+  app.add_option("--json", o.json, "write the report, with every iteration, to this file")->type_name("FILE");
+  app.add_flag("--quiet", o.quiet, "print nothing but errors");
+}
+
+inline volatile std::sig_atomic_t is_interrupted = 0;
+
+inline void interrupt(int signal)
+{
+  is_interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// Remembers every iteration, shows the latest on a terminal, and ends the
+// optimization when the user interrupts the program.
+class Watcher
+{
+public:
+  explicit Watcher(bool quiet) : shows_progress_(!quiet && is_terminal())
+  {
+    std::signal(SIGINT, interrupt);
+    std::signal(SIGTERM, interrupt);
+  }
+
+  bool on_iteration(const HMO::Iteration& i)
+  {
+    iterations_.push_back(i);
+    if (shows_progress_ && i.seconds >= next_) {
+      next_ = i.seconds + .1; // no terminal needs more
+      std::fprintf(stderr, "\r%.1f s  %s %zu: %zu inverted, scaled Jacobian minimum %.3f, mean %.3f\033[K", i.seconds,
+                   HMO::name(i.stage), i.iteration, i.number_of_inverted, i.minimum, i.average);
+      std::fflush(stderr);
+    }
+    return !is_interrupted;
+  }
+
+  ~Watcher()
+  {
+    if (next_ > 0)
+      std::fprintf(stderr, "\r\033[K");
+  }
+
+  const std::vector<HMO::Iteration>& iterations() const { return iterations_; }
+
+private:
+  static bool is_terminal()
+  {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(STDERR_FILENO) != 0;
+#endif
+  }
+
+  const bool shows_progress_;
+  double next_ = 0; // seconds
+  std::vector<HMO::Iteration> iterations_;
+};
+
+struct Mesh
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  CGAL::IO::Hex_mesh_attachments attachments;
+  std::vector<std::size_t> merged_into; // another vertex, for each; empty: none is merged
+
+  std::size_t number_of_merged() const
+  {
+    std::size_t sum = 0;
+    for (std::size_t v = 0; v < merged_into.size(); ++v)
+      sum += merged_into[v] != v;
+    return sum;
+  }
+
+  Kernel::Point_3 center(std::size_t h) const
+  {
+    Kernel::Vector_3 sum(0, 0, 0);
+    for (std::size_t v : hexahedra[h])
+      sum = sum + (points[v] - CGAL::ORIGIN) / 8;
+    return CGAL::ORIGIN + sum;
+  }
+};
+
+// The labels of the hexahedra of a file: those that occur, in increasing order, and the number of each hexahedron's own
+// among them, which fits into any integer. With no labels, all hexahedra have the number 0.
+struct Labels
+{
+  std::vector<std::int64_t> values;
+  std::vector<int> numbers;
+
+  explicit Labels(const std::vector<std::int64_t>& labels = {}) : values(labels)
+  {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    for (std::int64_t l : labels)
+      numbers.push_back(static_cast<int>(std::lower_bound(values.begin(), values.end(), l) - values.begin()));
+  }
+
+  int number(std::size_t hexahedron) const { return numbers.empty() ? 0 : numbers[hexahedron]; }
+  std::int64_t value(int number) const { return values.empty() ? 0 : values[number]; }
+};
+
+// Throws now what would be thrown after all the work.
+inline void check_writable(const std::string& filename)
+{
+  std::error_code ignored;
+  const auto status = std::filesystem::status(filename, ignored);
+  if (std::filesystem::is_other(status)) // to open a pipe is to use it
+    return;
+  CGAL::Hex_mesh_optimization::internal::IO::Atomic_file unused(filename);
+}
+
+inline void check_output(const std::string& filename)
+{
+  const std::string extension = CGAL::Hex_mesh_optimization::internal::IO::extension_of(filename);
+  if (extension != "mesh" && extension != "vtk" && extension != "vtu")
+    CGAL::Hex_mesh_optimization::internal::IO::refuse_extension(filename);
+  check_writable(filename);
+}
+
+// What work() returns; its parallel algorithms have so many threads, or one where there is no TBB.
+template <class Work>
+auto in_threads(int number, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, number);
+  return tbb::task_arena(number).execute(work);
+#else
+  (void)number;
+  return work();
+#endif
+}
+
+inline const char* in_words(HMO::Return_code code)
+{
+  switch (code) {
+  case HMO::Return_code::CONVERGED:
+    return "further iterations would not improve the mesh";
+  case HMO::Return_code::TARGET_QUALITY_REACHED:
+    return "the target quality is reached";
+  case HMO::Return_code::ITERATION_LIMIT:
+    return "the iterations of the last stage were used up while the mesh still changed";
+  case HMO::Return_code::TIME_LIMIT:
+    return "the time limit was reached";
+  case HMO::Return_code::STOPPED_BY_VISITOR:
+    return "interrupted";
+  case HMO::Return_code::DEVIATION_BOUND_NOT_MET:
+    return "the boundary is not shown to be as close to the reference as asked for";
+  case HMO::Return_code::NO_IMPROVEMENT:
+    return "nothing better than the input was found, which is unchanged";
+  }
+  return "";
+}
+
+template <class Number>
+std::string text(Number x)
+{
+  std::ostringstream out;
+  out << std::setprecision(4) << x;
+  return out.str();
+}
+
+inline void print_row(const std::string& title, const std::string& before, const std::string& after)
+{
+  std::cout << std::left << std::setw(32) << title << std::right << std::setw(12) << before << std::setw(12) << after
+            << '\n';
+}
+
+inline void print_connectivity_limits(const HMO::Status& status)
+{
+  const std::vector<HMO::Connectivity_limit>& limits = status.connectivity_limits;
+  const std::size_t reached = std::count_if(limits.begin(), limits.end(), [](const auto& l) { return l.is_reached(); });
+  if (reached > 0)
+    std::cout << reached
+              << " hexahedra are at the limit that the connectivity sets (--json lists them with reasons).\n";
+  if (limits.size() > reached)
+    std::cout << limits.size() - reached << (reached > 0 ? " more" : " hexahedra")
+              << " have a limit below 1 from the connectivity and are below it.\n";
+}
+
+inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labels& labels = Labels())
+{
+  const auto row = [&status](const char* title, auto HMO::Quality_statistics::*number) {
+    print_row(title, text(status.before.*number), text(status.after.*number));
+  };
+  print_row("", "before", "after");
+  row("hexahedra", &HMO::Quality_statistics::number_of_hexahedra);
+  row("inverted", &HMO::Quality_statistics::number_of_inverted);
+  row("invalid", &HMO::Quality_statistics::number_of_invalid);
+  row("minimum scaled Jacobian", &HMO::Quality_statistics::minimum);
+  row("mean scaled Jacobian", &HMO::Quality_statistics::average);
+  row("standard deviation", &HMO::Quality_statistics::standard_deviation);
+  row("99th percentile of edge ratio", &HMO::Quality_statistics::edge_ratio_99);
+  print_row("volume", text(status.volume_before), text(status.volume_after));
+  if (status.regions.size() > 1)
+    for (const HMO::Region_volume& region : status.regions)
+      print_row("  of label " + std::to_string(labels.value(region.label)), text(region.before), text(region.after));
+  print_row("average deviation / diagonal", "", text(status.deviation.average_relative));
+  print_row("maximum deviation / diagonal", "", text(status.deviation.maximum_relative));
+  for (const HMO::Interface_statistics& i : status.interfaces)
+    print_row("  between labels " + std::to_string(labels.value(i.labels[0])) + " and " +
+                std::to_string(labels.value(i.labels[1])),
+              "", text(i.deviation.maximum_relative));
+  if (std::isfinite(status.deviation_bound))
+    print_row("certified maximum, as a length", "", text(status.deviation.certified));
+  print_row("seconds", "", text(status.total_seconds));
+  print_row("  of rectification", "", text(status.rectification_seconds));
+  print_row("  of untangling", "", text(status.untangling_seconds));
+  print_row("  of maximization", "", text(status.maximization_seconds));
+
+  std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
+  if (status.number_of_turned_hexahedra() > 0)
+    std::cout << status.number_of_turned_hexahedra()
+              << " hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
+  if (mesh.number_of_merged() > 0)
+    std::cout << mesh.number_of_merged() << " vertices coincide with others and were merged with them.\n";
+  if (status.number_of_coincident_vertices > 0)
+    std::cout << status.number_of_coincident_vertices
+              << " vertices coincide with others: faces are in the same place, but their hexahedra are no neighbors,"
+              << " and may part (--merge makes them neighbors).\n";
+  if (!status.is_within_deviation_bound())
+    std::cout << "THE BOUND OF THE DEVIATION IS NOT "
+              << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
+              << ": the maximum is between " << text(status.deviation.maximum) << " and "
+              << text(status.deviation.certified) << ", the bound " << text(status.deviation_bound) << ".\n";
+  if (!status.released_vertices.empty())
+    std::cout << text(status.released_vertices.size())
+              << " vertices could not be brought to the corners, curves or faces of the reference"
+              << " that they belong to (--json lists them).\n";
+  print_connectivity_limits(status);
+  if (status.valid_mesh()) {
+    std::cout << "The mesh is valid.\n";
+    return;
+  }
+  const std::vector<std::size_t>& invalid = status.invalid_hexahedra;
+  const std::size_t shown = (std::min)(invalid.size(), std::size_t(20));
+  std::cout << "THE MESH IS NOT VALID. Invalid hexahedra and their centers"
+            << (shown < invalid.size() ? ", the first " + text(shown) + " of " + text(invalid.size()) : std::string())
+            << ":\n";
+  for (std::size_t i = 0; i < shown; ++i)
+    std::cout << std::setw(10) << invalid[i] << "  (" << mesh.center(invalid[i]) << ")\n";
+  if (!status.locked_hexahedra.empty())
+    std::cout << text(status.locked_hexahedra.size())
+              << " of them have an inverted corner whose vertices are all fixed.\n";
+}
+
+// The report has the members of the structs, and the enumerators, under their own names.
+inline Json json(HMO::Return_code code)
+{
+  switch (code) {
+  case HMO::Return_code::CONVERGED:
+    return "CONVERGED";
+  case HMO::Return_code::TARGET_QUALITY_REACHED:
+    return "TARGET_QUALITY_REACHED";
+  case HMO::Return_code::ITERATION_LIMIT:
+    return "ITERATION_LIMIT";
+  case HMO::Return_code::TIME_LIMIT:
+    return "TIME_LIMIT";
+  case HMO::Return_code::STOPPED_BY_VISITOR:
+    return "STOPPED_BY_VISITOR";
+  case HMO::Return_code::DEVIATION_BOUND_NOT_MET:
+    return "DEVIATION_BOUND_NOT_MET";
+  case HMO::Return_code::NO_IMPROVEMENT:
+    return "NO_IMPROVEMENT";
+  }
+  return Json();
+}
+
+inline Json json(const HMO::Quality_statistics& s)
+{
+  return {{"number_of_hexahedra", s.number_of_hexahedra},
+          {"number_of_inverted", s.number_of_inverted},
+          {"number_of_invalid", s.number_of_invalid},
+          {"minimum", s.minimum},
+          {"average", s.average},
+          {"standard_deviation", s.standard_deviation},
+          {"minimum_with_center", s.minimum_with_center},
+          {"average_with_center", s.average_with_center},
+          {"maximum_edge_ratio", s.maximum_edge_ratio},
+          {"median_edge_ratio", s.median_edge_ratio},
+          {"edge_ratio_99", s.edge_ratio_99}};
+}
+
+inline Json json(HMO::Stage stage)
+{
+  switch (stage) {
+  case HMO::Stage::RECTIFICATION:
+    return "RECTIFICATION";
+  case HMO::Stage::UNTANGLING:
+    return "UNTANGLING";
+  case HMO::Stage::MAXIMIZATION:
+    return "MAXIMIZATION";
+  }
+  return Json();
+}
+
+inline Json json(const HMO::Iteration& i)
+{
+  return {{"stage", json(i.stage)}, {"iteration", i.iteration},
+          {"energy", i.energy},     {"number_of_inverted", i.number_of_inverted},
+          {"minimum", i.minimum},   {"average", i.average},
+          {"seconds", i.seconds}};
+}
+
+inline Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labels = Labels())
+{
+  Json invalid = Json::array();
+  for (std::size_t h : status.invalid_hexahedra) {
+    const Kernel::Point_3 c = mesh.center(h);
+    invalid.push_back({{"id", h}, {"center", {c.x(), c.y(), c.z()}}});
+  }
+  Json limits = Json::array();
+  for (const HMO::Connectivity_limit& l : status.connectivity_limits)
+    limits.push_back({{"hexahedron", l.hexahedron},
+                      {"reason", HMO::description(l.reason)},
+                      {"largest_scaled_jacobian", l.largest_scaled_jacobian},
+                      {"scaled_jacobian", l.scaled_jacobian},
+                      {"is_reached", l.is_reached()}});
+  Json regions = Json::array(), interfaces = Json::array();
+  for (const HMO::Region_volume& r : status.regions)
+    regions.push_back({{"label", labels.value(r.label)}, {"volume_before", r.before}, {"volume_after", r.after}});
+  for (const HMO::Interface_statistics& i : status.interfaces)
+    interfaces.push_back({{"labels", {labels.value(i.labels[0]), labels.value(i.labels[1])}},
+                          {"number_of_faces", i.number_of_faces},
+                          {"average_deviation", i.deviation.average},
+                          {"maximum_deviation", i.deviation.maximum}});
+  return {{"return_code", json(status.return_code)},
+          {"valid_mesh", status.valid_mesh()},
+          {"number_of_turned_hexahedra", status.number_of_turned_hexahedra()},
+          {"turned_hexahedra", status.turned_hexahedra},
+          {"number_of_coincident_vertices", status.number_of_coincident_vertices},
+          {"before", json(status.before)},
+          {"after", json(status.after)},
+          {"volume_before", status.volume_before},
+          {"volume_after", status.volume_after},
+          {"regions", regions},
+          {"interfaces", interfaces},
+          {"deviation",
+           {{"average", status.deviation.average},
+            {"maximum", status.deviation.maximum},
+            {"average_relative", status.deviation.average_relative},
+            {"maximum_relative", status.deviation.maximum_relative},
+            {"certified", status.deviation.certified},
+            {"bilinear", status.deviation.bilinear}}},
+          {"is_within_deviation_bound", status.is_within_deviation_bound()},
+          {"iterations", status.iterations},
+          {"rectification_seconds", status.rectification_seconds},
+          {"untangling_seconds", status.untangling_seconds},
+          {"maximization_seconds", status.maximization_seconds},
+          {"total_seconds", status.total_seconds},
+          {"deviation_bound", status.deviation_bound},
+          {"invalid_hexahedra", invalid},
+          {"locked_hexahedra", status.locked_hexahedra},
+          {"released_vertices", status.released_vertices},
+          {"connectivity_limits", limits}};
+}
+
+// report: what stands before the iterations.
+inline void write_json(const std::string& filename, Json report, const std::vector<HMO::Iteration>& iterations)
+{
+  report["iterations"] = Json::array();
+  for (const HMO::Iteration& i : iterations)
+    report["iterations"].push_back(json(i));
+  CGAL::Hex_mesh_optimization::internal::IO::Atomic_file file(filename);
+  file.text() = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names may be in any encoding
+  file.commit();
+}
+
+// What run() returns, or the exit code of what it throws or the command line deserves.
+template <class Run>
+int run_program(CLI::App& app, int argc, char** argv, const Run& run)
+{
+  try {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : USAGE_ERROR; // 0: --help
+  }
+
+  try {
+    return run();
+  }
+  catch (const HMO::Input_error& error) {
+    std::cerr << "error: " << error.message() << '\n';
+    return error.element() == HMO::Input_error::Element::PARAMETER ? USAGE_ERROR : UNUSABLE_FILE;
+  }
+  catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return UNUSABLE_FILE;
+  }
+}
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_PROGRAM_H

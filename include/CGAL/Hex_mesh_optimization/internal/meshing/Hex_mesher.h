@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_HEX_MESHER_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_HEX_MESHER_H
+
+// From a closed surface to hexahedra whose boundary stands for it: the connectivity, and positions to start from.
+
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Boundary_fans.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Boundary_labels.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Patch_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/place_vertices.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Hex_mesh_optimization::internal {
+
+class Hex_mesher
+{
+public:
+  // The surface is closed and oriented outwards, and no face intersects another. Throws Input_error if no cell is inside.
+  Hex_mesher(const Reference_input& reference, const Meshing_parameters& parameters)
+    : parameters_(parameters)
+    , reference_(reference)
+    , surface_(reference.points, reference.triangles)
+  {
+    for (const Triangle_indices& t : reference.triangles)
+      for (int v : t)
+        box_.extend(reference.points[v]);
+    if (parameters.spacing > 0) {
+      measure_walls(parameters.spacing);
+      make(solid_voxels(surface_, walls_, parameters.spacing), parameters.spacing);
+      return;
+    }
+    // the volume in cells, and a layer on a surface of steps, which is larger
+    const double larger = 1.4;
+    double h = solved([&](double s) { return volume() / (s * s * s) + larger * area() / (s * s); });
+    measure_walls(h);
+    h = thin_spacing(h);
+    for (int attempt = 0; attempt < parameters.most_attempts; ++attempt) {
+      Voxel_grid grid = solid_voxels(surface_, walls_, h);
+      resolve(grid, h);
+      make(grid, h);
+      if (is_refined_) // for the topology: there are as many as it takes
+        break;
+      const double ratio = double(mesh.hexahedra.size()) / wanted_;
+      if (std::abs(ratio - 1) <= parameters.number_tolerance)
+        break;
+      h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
+    }
+  }
+
+  Hexahedra mesh;                          // with labels, in the coordinates of the surface
+  double spacing = 0;                      // mean of the three axes
+  bool has_topology_of_surface = false;    // as far as the Euler characteristic tells
+  std::vector<std::size_t> thin_triangles; // with fewer cells between them and the opposite wall than wanted
+
+private:
+  double area() const
+  {
+    double sum = 0;
+    for (const Triangle_indices& t : reference_.triangles)
+      sum += cross(t).norm() / 2;
+    return sum;
+  }
+
+  double volume() const
+  {
+    double sum = 0;
+    for (const Triangle_indices& t : reference_.triangles)
+      sum += cross(t).dot(reference_.points[t[0]] - box_.center()) / 6;
+    return sum;
+  }
+
+  Vector_3 cross(const Triangle_indices& t) const
+  {
+    const Vector_3& a = reference_.points[t[0]];
+    return (reference_.points[t[1]] - a).cross(reference_.points[t[2]] - a);
+  }
+
+  // Where the decreasing function has the wanted number.
+  template <class Number>
+  double solved(const Number& number) const
+  {
+    double low = 0, high = box_.diagonal().norm();
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (number(middle) > wanted_ ? low : high) = middle;
+    }
+    return high;
+  }
+
+  // The spacing that thin parts need, or as much of it as they may have. What is wanted grows with it.
+  double thin_spacing(double h)
+  {
+    const double thinnest = distance_of_thinnest(walls_, parameters_.tolerated_thin_area);
+    const double needed = thinnest / double(parameters_.cells_across);
+    if (needed >= h)
+      return h;
+    const double excess = (std::min)(std::pow(h / needed, 2.5), parameters_.most_excess);
+    wanted_ *= excess;
+    return h * std::pow(excess, -1 / 2.5);
+  }
+
+  void measure_walls(double h)
+  {
+    const double density = .7; // in cells
+    walls_ = wall_distances(reference_.points, reference_.triangles, density * h);
+  }
+
+  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one.
+  void resolve(Voxel_grid& grid, double& h)
+  {
+    const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
+    if (euler_characteristic(grid) == wanted)
+      return;
+    const double h_before = h;
+    for (double factor = .97; std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
+      Voxel_grid other = solid_voxels(surface_, walls_, factor * h_before);
+      if (euler_characteristic(other) == wanted) {
+        grid = std::move(other);
+        h = factor * h_before;
+        is_refined_ = true;
+        return;
+      }
+    }
+  }
+
+  void make(const Voxel_grid& grid, double h)
+  {
+    require_cells_inside(grid, h);
+    spacing = grid.mean_spacing();
+    has_topology_of_surface = euler_characteristic(grid) == euler_characteristic(reference_.triangles);
+    thin_triangles = internal::thin_triangles(walls_, grid, parameters_.cells_across);
+    mesh = voxel_hexahedra(grid);
+
+    // in units of the spacing, to which what is said of features refers
+    const auto scaled = [&](Positions points) {
+      for (Vector_3& p : points)
+        p = (p - box_.center()) / h;
+      return points;
+    };
+    Positions points = scaled(reference_.points);
+    mesh.points = scaled(std::move(mesh.points));
+    Edge_list sharp = reference_.sharp_is_given
+                        ? reference_.sharp
+                        : sharp_edges(points, reference_.triangles, parameters_.features.angle_bound);
+    const Surface_partition partition(points, reference_.triangles, std::move(sharp), reference_.sharp_is_given,
+                                      parameters_.features);
+    const Boundary_fans fans(mesh, opposite_sides(mesh));
+    const Boundary_labels labels(mesh, fans, partition);
+    for (std::size_t f = 0; f < fans.sides.size(); ++f)
+      mesh.label[fans.sides[f]] = labels.labels[f];
+    Patch_layers(mesh, partition, parameters_.layers);
+    place_vertices(mesh, partition, parameters_.smoothing_rounds);
+    for (Vector_3& p : mesh.points)
+      p = p * h + box_.center();
+  }
+
+  const Meshing_parameters parameters_;
+  const Reference_input& reference_;
+  const Triangle_surface surface_;
+  Eigen::AlignedBox3d box_;
+  std::vector<Wall_distance> walls_;
+  bool is_refined_ = false;
+  double wanted_ = double(parameters_.number_of_hexahedra); // number of hexahedra
+};
+
+} // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_HEX_MESHER_H

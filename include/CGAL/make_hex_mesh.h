@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MAKE_HEX_MESH_H
+#define CGAL_MAKE_HEX_MESH_H
+
+// From a triangle surface to a hexahedral mesh of the volume that it bounds.
+
+#include <CGAL/Hex_mesh_optimization/Input_error.h>
+#include <CGAL/Hex_mesh_optimization/Meshing_status.h>
+#include <CGAL/Hex_mesh_optimization/check_surface.h>
+#include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
+#include <CGAL/optimize_hex_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Hex_mesh_optimization {
+namespace internal {
+
+template <class NamedParameters>
+Meshing_parameters meshing_parameters(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Meshing_parameters p;
+  p.spacing = choose_parameter(get_parameter(np, internal_np::grid_spacing), p.spacing);
+  p.number_of_hexahedra = choose_parameter(get_parameter(np, internal_np::hex_number_of_hexahedra),
+                                           p.number_of_hexahedra);
+  p.cells_across = choose_parameter(get_parameter(np, internal_np::hex_cells_across), p.cells_across);
+  p.features.angle_bound = choose_parameter(get_parameter(np, internal_np::features_angle_bound),
+                                            p.features.angle_bound);
+  require(p.spacing >= 0 && std::isfinite(p.spacing), "grid_spacing");
+  require(p.number_of_hexahedra > 0, "number_of_hexahedra");
+  require(p.cells_across > 0, "cells_across");
+  return p;
+}
+
+} // namespace internal
+} // namespace Hex_mesh_optimization
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
+ *
+ * makes a hexahedral mesh of the volume that a triangle surface bounds: the cells of a grid inside it, layers of hexahedra
+ * behind the patches of its boundary, and `CGAL::optimize_hex_mesh()` with the surface as reference.
+ *
+ * Faces of the boundary are told to which patch between the feature curves of the surface they belong. A layer is inserted
+ * behind patches whose faces need it; at a sharp convex edge the layers of both patches cross, so that one hexahedron
+ * has faces on both of them, at others a layer goes on around the edge.
+ *
+ * \tparam ConcurrencyTag as of `CGAL::optimize_hex_mesh()`
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam PointRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` of 3D points that can
+ *         be constructed from three `double`
+ * \tparam HexahedronRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` whose value type
+ *         is a random access container of indices of an integral type, either an array of size 8 or resizable
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param tmesh the surface, see `Hex_mesh_optimization::check_surface()`
+ * \param points the vertices, replaced
+ * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
+ * \param np optional named parameters among those listed below, and those of `CGAL::optimize_hex_mesh()` for `tmesh` as
+ *        the reference, but for those that have vertices of the mesh as keys
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_hexahedra}
+ *     \cgalParamDescription{how many hexahedra the mesh has, within about a tenth. It has more where thin parts need them:
+ *                           up to eight times as many if more than a hundredth of the surface would have less than
+ *                           `cells_across` cells behind it}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{8000}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{grid_spacing}
+ *     \cgalParamDescription{the length of the cells of the grid, in the place of `number_of_hexahedra`: it is not changed
+ *                           for thin parts}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{what makes the number of hexahedra}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{cells_across}
+ *     \cgalParamDescription{the number of cells that are wanted between opposite walls, not counting layers; see
+ *                           `Voxel_status::thin_faces`}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{the feature edges of `tmesh`, for the layers and for the optimization}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
+ *     and `bool` as value}
+ *     \cgalParamDefault{edges are detected, see `features_angle_bound`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return what the optimization reports, and where parts are thinner than the grid resolves
+ *
+ * \throws Hex_mesh_optimization::Input_error if the surface does not bound a volume, or if a parameter has no usable value.
+ *         `points` and `hexahedra` are unchanged then.
+ */
+template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class PointRange, class HexahedronRange,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!Hex_mesh_optimization::internal::Is_linear_cell_complex<PointRange>::value &&
+                             !Hex_mesh_optimization::internal::Is_named_parameters<HexahedronRange>::value,
+                           int> = 0
+#endif
+          >
+Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, PointRange& points,
+                                                    HexahedronRange& hexahedra,
+                                                    const NamedParameters& np = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  const Meshing_parameters parameters = meshing_parameters(np);
+  const Reference_input surface = triangle_mesh_to_reference(tmesh, np);
+  Surface_check check(surface);
+  Hex_mesher mesher(surface, parameters);
+  PointRange new_points;
+  HexahedronRange new_hexahedra;
+  assign_index_ranges(mesher.mesh.points, mesher.mesh.hexahedra, new_points, new_hexahedra);
+  Hex_mesh_optimization::Meshing_status status;
+  static_cast<Hex_mesh_optimization::Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra,
+                                                                                        &surface, np);
+  status.spacing = mesher.spacing;
+  status.has_topology_of_surface = mesher.has_topology_of_surface;
+  status.thin_faces = std::move(mesher.thin_triangles);
+  points = std::move(new_points);
+  hexahedra = std::move(new_hexahedra);
+  return status;
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
+ *
+ * makes the same mesh as a linear cell complex.
+ *
+ * \param lcc an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
+ *        `Linear_cell_complex_for_generalized_map<3,3,...>`, cleared first; unchanged if the function throws
+ */
+template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class LCC,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<Hex_mesh_optimization::internal::Is_linear_cell_complex<LCC>::value, int> = 0
+#endif
+          >
+Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, LCC& lcc,
+                                                    const NamedParameters& np = parameters::default_values())
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  Hex_mesh_optimization::Meshing_status status = make_hex_mesh<ConcurrencyTag>(tmesh, points, hexahedra, np);
+  lcc.clear();
+  Hex_mesh_optimization::hexahedra_to_linear_cell_complex(points, hexahedra, lcc);
+  return status;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_HEX_MESH_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes made from surfaces: quality, distance, features; index ranges and linear cell complexes.
+
+#include "Generated_surface.h"
+#include "mesh_checks.h"
+
+#include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/validity.h>
+#include <CGAL/Hex_mesh_optimization/voxel_mesh.h>
+#include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/make_hex_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using LCC = CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>;
+
+struct Mesh
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+};
+
+Generated_mesh ball(std::size_t n)
+{
+  return Generated_mesh([&](auto& p, auto& h) { HMO::make_ball(p, h, n); });
+}
+
+double distance_to_nearest(const Mesh& mesh, const Vector_3& place)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const Point& p : mesh.points)
+    result = (std::min)(result, (Vector_3(p.x(), p.y(), p.z()) - place).norm());
+  return result;
+}
+
+TEST(make_hex_mesh, of_smooth_and_sharp_solids_is_valid_good_and_near)
+{
+  for (const Generated_mesh& mesh : {ball(10), cylinder(10), block(1), l_shape(1)})
+    for (double turn : {0., .8}) {
+      Mesh result;
+      const auto status = CGAL::make_hex_mesh(surface_mesh(surface_of(mesh, turn)), result.points, result.hexahedra,
+                                              CGAL::parameters::number_of_hexahedra(1500));
+      EXPECT_TRUE(status.valid_mesh());
+      EXPECT_TRUE(invalid_hexahedra(result).empty());
+      EXPECT_TRUE(status.has_topology_of_surface);
+      EXPECT_GT(status.after.minimum, .5);
+      EXPECT_GT(status.after.average, .84);
+      EXPECT_LT(status.deviation.average_relative, 5e-4);
+      EXPECT_LT(status.deviation.maximum_relative, 8e-3);
+    }
+}
+
+TEST(make_hex_mesh, has_vertices_at_corners)
+{
+  for (double turn : {0., .8}) {
+    Mesh result;
+    CGAL::make_hex_mesh(surface_mesh(surface_of(block(1), turn)), result.points, result.hexahedra,
+                        CGAL::parameters::number_of_hexahedra(600));
+    for (const Vector_3& corner : surface_of(block(1), turn).points)
+      EXPECT_LT(distance_to_nearest(result, corner), 1e-9);
+  }
+}
+
+TEST(make_hex_mesh, of_a_box_is_the_grid)
+{
+  Mesh result;
+  const auto status = CGAL::make_hex_mesh(surface_mesh(surface_of(block(1))), result.points, result.hexahedra,
+                                          CGAL::parameters::grid_spacing(.2));
+  EXPECT_EQ(result.hexahedra.size(), 125u);
+  EXPECT_NEAR(status.after.minimum, 1, 1e-9);
+  EXPECT_NEAR(status.spacing, .2, 1e-12);
+}
+
+TEST(make_hex_mesh, as_a_linear_cell_complex_is_the_same)
+{
+  const Surface surface = surface_mesh(surface_of(cylinder(8), .4));
+  const auto np = CGAL::parameters::number_of_hexahedra(300);
+  Mesh ranges, of_lcc;
+  CGAL::make_hex_mesh(surface, ranges.points, ranges.hexahedra, np);
+  LCC lcc;
+  lcc.make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)); // is cleared
+  CGAL::make_hex_mesh(surface, lcc, np);
+  HMO::linear_cell_complex_to_hexahedra(lcc, of_lcc.points, of_lcc.hexahedra);
+  EXPECT_EQ(of_lcc.hexahedra, ranges.hexahedra);
+  EXPECT_TRUE(same_points(of_lcc.points, ranges.points));
+}
+
+TEST(make_hex_mesh, refuses_parameters_and_surfaces_and_leaves_the_mesh)
+{
+  Surface open = surface_mesh(surface_of(block(1)));
+  CGAL::Euler::remove_face(halfedge(*open.faces().begin(), open), open);
+  Mesh mesh{{Point(1, 2, 3)}, {}};
+  EXPECT_THROW(CGAL::make_hex_mesh(open, mesh.points, mesh.hexahedra), HMO::Input_error);
+  const Surface cube = surface_mesh(surface_of(block(1)));
+  namespace np = CGAL::parameters;
+  EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::grid_spacing(-1.)), HMO::Input_error);
+  EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::cells_across(0)), HMO::Input_error);
+  EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::number_of_hexahedra(0)), HMO::Input_error);
+  EXPECT_EQ(mesh.points.size(), 1u);
+}
+
+TEST(voxel_mesh, are_boxes_of_the_spacing_inside)
+{
+  Mesh mesh;
+  const auto status = CGAL::voxel_mesh(surface_mesh(surface_of(ball(8))), .2, mesh.points, mesh.hexahedra);
+  EXPECT_NEAR(status.spacing, .2, 1e-6);
+  EXPECT_TRUE(status.has_topology_of_surface);
+  EXPECT_TRUE(status.thin_faces.empty());
+  EXPECT_NEAR(double(mesh.hexahedra.size()) * .008, 4.19, .2);
+  LCC lcc;
+  CGAL::voxel_mesh(surface_mesh(surface_of(ball(8))), .2, lcc);
+  EXPECT_EQ(lcc.one_dart_per_cell<3>().size(), mesh.hexahedra.size());
+  EXPECT_THROW(CGAL::voxel_mesh(surface_mesh(surface_of(ball(8))), 0, mesh.points, mesh.hexahedra), HMO::Input_error);
+}
+
+} // namespace

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program make_hex_mesh as other programs see it: what it writes, what it prints, and its exit codes.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const cube = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+const char* const open_cube = "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                              "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n";
+
+// Each test runs in a folder of its own.
+class Meshing_program : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder = fs::absolute(std::string("meshing_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    std::ofstream(folder / "cube.off") << cube;
+    std::ofstream(folder / "open.off") << open_cube;
+  }
+
+  void TearDown() override { fs::remove_all(folder); }
+
+  int run(const std::string& arguments)
+  {
+    const std::string line = "cd '" + folder.string() + "' && '" MAKE_HEX_MESH "' " + arguments + " >stdout 2>stderr";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  std::string text(const std::string& name) const
+  {
+    std::ifstream in(folder / name);
+    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+
+  bool exists(const std::string& name) const { return fs::exists(folder / name); }
+
+  std::size_t number_of_hexahedra(const std::string& name) const
+  {
+    std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> points;
+    std::vector<std::array<std::size_t, 8>> hexahedra;
+    CGAL::IO::read_hex_mesh((folder / name).string(), points, hexahedra);
+    return hexahedra.size();
+  }
+
+  fs::path folder;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(Meshing_program, makes_a_mesh_and_prints_a_table)
+{
+  EXPECT_EQ(run("cube.off out.mesh --cells 216"), 0);
+  EXPECT_GE(number_of_hexahedra("out.mesh"), 125u); // whole numbers of cells along an edge
+  EXPECT_LE(number_of_hexahedra("out.mesh"), 343u);
+  EXPECT_TRUE(contains(text("stdout"), "minimum scaled Jacobian"));
+  EXPECT_TRUE(contains(text("stdout"), "The mesh is valid."));
+  EXPECT_EQ(text("stderr"), "");
+}
+
+TEST_F(Meshing_program, takes_a_spacing_and_writes_a_report)
+{
+  EXPECT_EQ(run("cube.off out.vtk --spacing .25 --json report.json --quiet"), 0);
+  EXPECT_EQ(number_of_hexahedra("out.vtk"), 64u);
+  EXPECT_EQ(text("stdout"), "");
+  const nlohmann::json report = nlohmann::json::parse(text("report.json"));
+  EXPECT_EQ(report["options"]["spacing"], .25);
+  EXPECT_NEAR(report["status"]["spacing"].get<double>(), .25, 1e-9);
+  EXPECT_EQ(report["status"]["valid_mesh"], true);
+  EXPECT_EQ(report["status"]["has_topology_of_surface"], true);
+  EXPECT_TRUE(report["status"]["thin_faces"].empty());
+}
+
+TEST_F(Meshing_program, refuses_an_open_surface_or_mends_it_on_request)
+{
+  EXPECT_EQ(run("open.off out.mesh --cells 100"), 3);
+  EXPECT_FALSE(exists("out.mesh"));
+  EXPECT_TRUE(contains(text("stderr"), "the surface is open"));
+  EXPECT_EQ(run("open.off out.mesh --cells 100 --repair"), 0);
+  EXPECT_TRUE(exists("out.mesh"));
+}
+
+TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)
+{
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_EQ(run("cube.off"), 2);
+  EXPECT_EQ(run("cube.off out.mesh --cells 0"), 2);
+  EXPECT_EQ(run("cube.off out.mesh --cells 100 --spacing .1"), 2);
+  EXPECT_EQ(run("cube.off out.mesh --spacing 100"), 0); // a single cell
+  EXPECT_EQ(run("cube.off out.unknown"), 3);
+  EXPECT_EQ(run("missing.off out.mesh"), 3);
+}
+
+} // namespace
