@@ -211,7 +211,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{all hexahedra have the same label}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{internal_faces}
- *     \cgalParamDescription{faces between hexahedra of one label that are kept in the same way, such as baffles}
+ *     \cgalParamDescription{faces between hexahedra of one label that are kept in the same way, such as baffles; what is
+ *                           not between two hexahedra does not matter}
  *     \cgalParamType{a range of ranges of four integers, the indices of the vertices of a face in any order; for a
  *                    linear cell complex, in the order of `linear_cell_complex_to_hexahedra()`}
  *     \cgalParamDefault{none}

@@ -315,6 +315,16 @@ TEST(Input_errors, of_target_lengths_that_are_not_positive)
   }
 }
 
+TEST(Input_errors, of_internal_faces_with_vertices_that_do_not_exist)
+{
+  for (long long bad : {64ll, -1ll, 1ll << 32}) {
+    Mesh mesh = block(3, 3, 3);
+    const std::vector<std::array<long long, 4>> faces = {{0, 1, 2, 3}, {0, 1, 2, 63}, {0, 1, bad, 3}};
+    expect_refused(mesh.points, Element::PARAMETER, 2, "internal face 2",
+                   [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, params::internal_faces(faces)); });
+  }
+}
+
 // --- Linear cell complexes ---------------------------------------------------------------
 
 using LCC = CGAL::Linear_cell_complex_for_combinatorial_map<3>;
