@@ -161,8 +161,24 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *                    (`std::size_t` for index ranges) and `bool` as value}
  *     \cgalParamDefault{no vertex is constrained}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{hexahedron_label_map}
+ *     \cgalParamDescription{the label of each hexahedron, such as its material. Faces between hexahedra of different
+ *                           labels are kept as the boundary is, the curves and corners where they meet each other or the
+ *                           boundary included; vertices slide within them. See \ref HexMeshOptimizationRegions.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with a dart of the hexahedron as key (`LCC::Dart_const_descriptor`
+ *                    or, before CGAL 5.6, `LCC::Dart_const_handle`; the index of the hexahedron as `std::size_t` for index
+ *                    ranges) and a value that can be converted to `int`}
+ *     \cgalParamDefault{all hexahedra have the same label}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{internal_faces}
+ *     \cgalParamDescription{faces between hexahedra of one label that are kept in the same way, such as baffles; what is
+ *                           not between two hexahedra does not matter}
+ *     \cgalParamType{a range of ranges of four integers, the indices of the vertices of a face in any order; for a
+ *                    linear cell complex, in the order of `linear_cell_complex_to_hexahedra()`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{fixed_boundary}
- *     \cgalParamDescription{whether no vertex of the boundary may move}
+ *     \cgalParamDescription{whether no vertex of the outer boundary may move; those within interfaces may}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
@@ -268,11 +284,13 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return why the optimization stopped, the quality before and after, the deviation from the reference, the hexahedra
- *         that are not valid, and those whose quality the connectivity limits
+ * \return why the optimization stopped, the quality before and after, the deviation from the reference, the volume of
+ *         each label and the deviation of each interface, the hexahedra that are not valid, and those whose quality the
+ *         connectivity limits
  *
  * \throws Hex_mesh_optimization::Input_error if the mesh is empty, has a cell that is no hexahedron, a hexahedron with
- *         a repeated vertex, a coordinate that is not finite, or a boundary that is not a manifold; if the reference is
+ *         a repeated vertex, a face of three hexahedra, a coordinate that is not finite, or no boundary or orientation; if
+ *         the reference is
  *         empty, not triangulated, has a coordinate that is not finite, or has a size or a place that cannot belong to
  *         the mesh; or if a parameter has no usable value
  *

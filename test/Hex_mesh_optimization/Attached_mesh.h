@@ -34,6 +34,7 @@ struct Attached_mesh
 {
   Hexahedral_complex complex;
   Positions points; // in units of the mean boundary edge
+  Surface_faces faces;
   std::unique_ptr<Reference_surface> surface;
   Boundary_attachment attachment;
   Edge_relations relations;
@@ -45,6 +46,7 @@ struct Attached_mesh
   explicit Attached_mesh(const Indexed_mesh& mesh)
     : complex(mesh.complex())
     , points(normalized(complex, positions(mesh)))
+    , faces(boundary_surface_faces(complex))
     , surface(own_reference(complex, points))
     , attachment(attach_to_own_boundary(complex, *surface))
     , relations(complex)
@@ -65,10 +67,10 @@ struct Attached_mesh
         points[v] += random_vector(random, amplitude);
   }
 
+  // The mesh must outlive them.
   Boundary_samples samples() const
   {
-    return Boundary_samples(complex, boundary_surface_faces(complex), *surface, attachment, lengths, false,
-                            maximum_deviation, boundary.samples);
+    return Boundary_samples(complex, faces, *surface, attachment, lengths, false, maximum_deviation, boundary.samples);
   }
 
   using Placement = CGAL::Hex_mesh_optimization::Boundary_placement;

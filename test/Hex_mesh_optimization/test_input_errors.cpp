@@ -176,23 +176,6 @@ TEST(Input_errors, of_a_mesh_without_an_orientation)
   expect_refused(mesh, Element::HEXAHEDRON, 3, "has no orientation");
 }
 
-TEST(Input_errors, of_a_boundary_that_is_not_a_manifold_along_an_edge)
-{
-  Mesh mesh = block(2, 2, 1);
-  mesh.cells = {mesh.cells[0], mesh.cells[3]};
-  expect_refused(mesh, Element::HEXAHEDRON, 0, "not a manifold along the edge");
-}
-
-TEST(Input_errors, of_a_boundary_that_is_not_a_manifold_at_a_vertex)
-{
-  Mesh mesh = block(2, 2, 2, false);
-  std::size_t center = 0;
-  while (mesh.points[center] != Point(1, 1, 1))
-    ++center;
-  mesh.cells = {mesh.cells[0], mesh.cells[7]};
-  expect_refused(mesh, Element::VERTEX, center, "not a manifold at vertex " + std::to_string(center));
-}
-
 TEST(Input_errors, of_a_mesh_in_one_point)
 {
   Mesh mesh = block(2, 2, 2);
@@ -332,6 +315,16 @@ TEST(Input_errors, of_target_lengths_that_are_not_positive)
   }
 }
 
+TEST(Input_errors, of_internal_faces_with_vertices_that_do_not_exist)
+{
+  for (long long bad : {64ll, -1ll, 1ll << 32}) {
+    Mesh mesh = block(3, 3, 3);
+    const std::vector<std::array<long long, 4>> faces = {{0, 1, 2, 3}, {0, 1, 2, 63}, {0, 1, bad, 3}};
+    expect_refused(mesh.points, Element::PARAMETER, 2, "internal face 2",
+                   [&] { CGAL::optimize_hex_mesh(mesh.points, mesh.cells, params::internal_faces(faces)); });
+  }
+}
+
 // --- Linear cell complexes ---------------------------------------------------------------
 
 using LCC = CGAL::Linear_cell_complex_for_combinatorial_map<3>;
@@ -432,6 +425,38 @@ TEST(Unusual_input, of_components_of_opposite_orientation)
   const HMO::Status status = optimized(mesh);
   EXPECT_EQ(status.turned_hexahedra, std::vector<std::size_t>{27});
   EXPECT_TRUE(status.valid_mesh());
+}
+
+// What touches has its edge or its vertex in common, and keeps it.
+TEST(Unusual_input, of_parts_that_touch)
+{
+  for (int d : {2, 3}) { // in as many directions they are neighbors
+    SCOPED_TRACE(d == 2 ? "along an edge" : "at a vertex");
+    const std::size_t n = 3;
+    Mesh mesh = block(2 * n, 2 * n, d == 3 ? 2 * n : n, false);
+    Cells cells;
+    const auto center = [&](const std::vector<int>& cell) {
+      return CGAL::midpoint(mesh.points[std::size_t(cell[0])], mesh.points[std::size_t(cell[6])]);
+    };
+    for (const auto& cell : mesh.cells) {
+      const Point c = center(cell);
+      const bool x = c.x() > n, y = c.y() > n, z = d == 3 ? c.z() > n : x;
+      if (x == y && y == z)
+        cells.push_back(cell);
+    }
+    mesh.cells = cells;
+    ASSERT_EQ(mesh.cells.size(), 2 * n * n * n);
+    Points intact = mesh.points;
+    HMO::scramble_interior(mesh.points, mesh.cells, 1, .8);
+    EXPECT_FALSE(mesh.points == intact);
+    EXPECT_TRUE(optimized(mesh).valid_mesh());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const Point& p = intact[v];
+      if (p.x() == n && p.y() == n && (d == 2 ? p.z() == 0 || p.z() == n : p.z() == n)) {
+        EXPECT_EQ(mesh.points[v], p) << v;
+      }
+    }
+  }
 }
 
 TEST(Unusual_input, with_coordinates_near_the_limits_of_double)

@@ -120,7 +120,7 @@ Point displaced(const Point& p, const std::array<double, 3>& direction, double l
  *
  * `PointRange` is a model of `RandomAccessContainer` with value type
  * `Kernel::Point_3`, `HexahedronRange` one of ranges of 8 vertex indices. As
- * everywhere, `Input_error` is thrown if the mesh or its boundary is not a manifold.
+ * everywhere, `Input_error` is thrown if three hexahedra share a face.
  */
 
 /*!

@@ -42,10 +42,11 @@ double distance(const Vector_3& p, const Triangle_surface& surface)
 double largest_sample(const Triangle_surface& first, const Triangle_surface& second, double spacing)
 {
   const std::size_t any_size = 1000000000; // of the surfaces, to be sampled as densely as that
-  HMO::Deviation result;
-  extend_deviation(first, second, any_size, spacing, result);
-  extend_deviation(second, first, any_size, spacing, result);
-  return result.maximum;
+  Deviations result;
+  result.of_sheet.resize(1);
+  extend_deviations(first, second, any_size, spacing, result);
+  extend_deviations(second, first, any_size, spacing, result);
+  return result.all.maximum;
 }
 
 // The unit square times a size in n² quads, moved
@@ -114,11 +115,11 @@ TEST(Certified_deviation, of_a_moved_vertex_is_its_way)
     Positions points = block.points;
     const int v = block.vertex(2, 2, 4);
     points[v][2] += way;
-    const Certified_deviation d = certified_deviation(complex, points, reference, 1.001 * way);
+    const Certified_deviation d = certified_deviation(boundary_surface_faces(complex), points, reference, 1.001 * way);
     EXPECT_TRUE(d.is_shown);
     EXPECT_NEAR(d.largest_found, way, 1e-12);
     EXPECT_EQ(d.where, points[v]);
-    EXPECT_FALSE(certified_deviation(complex, points, reference, .999 * way).is_shown);
+    EXPECT_FALSE(certified_deviation(boundary_surface_faces(complex), points, reference, .999 * way).is_shown);
   }
 }
 
@@ -183,7 +184,8 @@ TEST_P(Certified_deviation_of, a_mesh_from_itself_is_shown_without_a_cut)
   parameters.pieces = 1;
   const Positions points = jittered(GetParam(), .2, 1);
   const Triangle_surface reference(points, boundary_triangles(complex));
-  const Certified_deviation d = certified_deviation(complex, points, reference, 1e-9, parameters);
+  const Certified_deviation d = certified_deviation(boundary_surface_faces(complex), points, reference, 1e-9,
+                                                    parameters);
   EXPECT_TRUE(d.is_shown) << d.upper_bound;
   EXPECT_LT(d.largest_found, 1e-13);
 }
@@ -289,8 +291,11 @@ TEST(Certified_deviation, does_not_depend_on_the_number_of_threads)
   for (double edges : {0., .1, .15, .3}) {
     Certified_deviation alone, together;
     const double target = edges * mesh.mean_edge_length();
-    run_concurrently(false, [&] { alone = certified_deviation(complex, points, reference, target); });
-    run_concurrently(true, [&] { together = certified_deviation(complex, points, reference, target); });
+    run_concurrently(false,
+                     [&] { alone = certified_deviation(boundary_surface_faces(complex), points, reference, target); });
+    run_concurrently(true, [&] {
+      together = certified_deviation(boundary_surface_faces(complex), points, reference, target);
+    });
     expect_same(alone, together);
   }
 }

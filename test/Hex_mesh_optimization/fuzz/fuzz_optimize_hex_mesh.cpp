@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Fuzz target of optimize_hex_mesh(). The bytes are a recipe: a small block of hexahedra, then edits of its
-// connectivity and coordinates, and options. Whatever comes of it is refused by the documented exception and unchanged,
+// connectivity, coordinates and regions, and options. Whatever comes of it is refused by the documented exception and unchanged,
 // or obeys the guarantees.
 
 #include "Byte_reader.h"
@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,25 @@ struct Options
   std::size_t iterations, restarts;
   int calls; // of the visitor until it asks for an end
   bool fixed_boundary, has_reference;
+};
+
+// What divides the mesh, unless it is edited away.
+struct Regions
+{
+  std::vector<int> labels; // of the hexahedra that there have been; those added later have the label 0
+  std::vector<std::array<std::size_t, 4>> faces;
+
+  int label(std::size_t h) const { return h < labels.size() ? labels[h] : 0; }
+};
+
+struct Label_map
+{
+  using key_type = std::size_t;
+  using value_type = int;
+  using reference = int;
+  using category = boost::readable_property_map_tag;
+  const Regions* regions;
+  friend int get(const Label_map& map, std::size_t h) { return map.regions->label(h); }
 };
 
 // Ends the run after a number of iterations.
@@ -67,14 +87,14 @@ double& coordinate(std::array<double, 3>& p, fuzz::Byte_reader& bytes) { return 
 
 std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
+void edit(Mesh& mesh, Regions& regions, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
 {
   const auto any_vertex = [&] { return bytes.below(mesh.points.size()); };
   const auto any_hexahedron = [&]() -> std::array<std::size_t, 8>& {
     return mesh.hexahedra[bytes.below(mesh.hexahedra.size())];
   };
   const auto set = [&](std::size_t v, const std::array<double, 3>& p) { mesh.points[v] = Point(p[0], p[1], p[2]); };
-  switch (bytes.below(mesh.hexahedra.empty() ? 6 : 14)) {
+  switch (bytes.below(mesh.hexahedra.empty() ? 6 : 16)) {
   case 0: { // a small move
     const std::size_t v = any_vertex();
     std::array<double, 3> p = coordinates(mesh.points[v]);
@@ -153,6 +173,18 @@ void edit(Mesh& mesh, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
           v = mesh.points.size() - 1;
         }
     break;
+  case 14: // another region
+    regions.labels.resize(mesh.hexahedra.size(), 0);
+    regions.labels[bytes.below(mesh.hexahedra.size())] = bytes.signed_byte();
+    break;
+  case 15: { // an internal face, of a hexahedron or of any vertices
+    const auto& h = any_hexahedron();
+    const auto& f = HMO::internal::hexahedron_faces[bytes.below(6)];
+    regions.faces.push_back({h[f[0]], h[f[1]], h[f[2]], h[f[3]]});
+    if (bytes.below(8) == 7)
+      regions.faces.back()[bytes.below(4)] = bytes.below(mesh.points.size() + 2);
+    break;
+  }
   }
 }
 
@@ -183,8 +215,8 @@ Surface_mesh read_reference(fuzz::Byte_reader& bytes)
   return surface;
 }
 
-void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_frozen, bool is_on_reference,
-                        const HMO::Status& status)
+void require_guarantees(Mesh before, Mesh after, const Regions& regions, const std::vector<char>& is_frozen,
+                        bool is_on_reference, const HMO::Status& status)
 {
   for (std::size_t v = 0; v < before.points.size(); ++v) {
     fuzz::require(!is_frozen[v] || same_bits(before.points[v], after.points[v]), "frozen vertices stay");
@@ -205,6 +237,14 @@ void require_guarantees(Mesh before, Mesh after, const std::vector<char>& is_fro
   }
   fuzz::require(status.invalid_hexahedra == invalid, "the status lists the invalid hexahedra");
   fuzz::require(status.valid_mesh() == invalid.empty(), "the status knows whether the mesh is valid");
+  std::set<int> labels;
+  for (std::size_t h = 0; h < before.hexahedra.size(); ++h)
+    labels.insert(regions.label(h));
+  fuzz::require(status.regions.size() == labels.size(), "the status has a volume for each label");
+  for (const HMO::Interface_statistics& i : status.interfaces)
+    fuzz::require(labels.count(i.labels[0]) && labels.count(i.labels[1]) && i.labels[0] <= i.labels[1] &&
+                    i.number_of_faces > 0,
+                  "interfaces are between labels");
   fuzz::require(status.after.number_of_inverted == b.number_of_inverted, "the status counts the inverted hexahedra");
 }
 
@@ -223,8 +263,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (options.has_reference)
     reference = read_reference(bytes);
   std::vector<char> is_frozen(mesh.points.size(), false);
+  Regions regions;
   for (int edits = 0; edits < 64 && !bytes.is_empty(); ++edits)
-    edit(mesh, is_frozen, bytes);
+    edit(mesh, regions, is_frozen, bytes);
 
   const Mesh before = mesh;
   const auto np = params::optimization_method(options.method)
@@ -232,6 +273,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                     .number_of_restarts(options.restarts)
                     .fixed_boundary(options.fixed_boundary)
                     .vertex_is_constrained_map(Marked_vertices{&is_frozen})
+                    .hexahedron_label_map(Label_map{&regions})
+                    .internal_faces(regions.faces)
                     .visitor(Patience{options.calls});
   HMO::Status status;
   try {
@@ -245,6 +288,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::require(mesh.hexahedra == before.hexahedra && mesh.points.size() == before.points.size(),
                 "the connectivity stays");
-  require_guarantees(before, mesh, is_frozen, !options.has_reference, status);
+  require_guarantees(before, mesh, regions, is_frozen, !options.has_reference, status);
   return 0;
 }

@@ -105,6 +105,36 @@ TEST(Named_parameters, that_are_maps_are_asked_by_the_keys_of_the_caller)
             (std::vector<char>{true, false, true}));
 }
 
+struct Parity
+{
+  friend long get(const Parity&, std::size_t key) { return long(key % 2) - 1; }
+};
+
+TEST(Named_parameters, that_divide_the_mesh_reach_the_engine)
+{
+  EXPECT_TRUE(regions(params::default_values(), keys).labels.empty());
+  const std::vector<std::vector<unsigned>> faces = {{1, 2, 3, 4}, {8, 7, 6, 5}};
+  const Regions r = regions(params::hexahedron_label_map(Parity()).internal_faces(faces), keys);
+  EXPECT_EQ(r.labels, (std::vector<int>{-1, 0, -1}));
+  EXPECT_EQ(r.faces, (std::vector<std::array<int, 4>>{{1, 2, 3, 4}, {8, 7, 6, 5}}));
+}
+
+TEST(Named_parameters, that_are_no_faces_are_refused)
+{
+  for (const std::vector<int>& bad : {std::vector<int>(), {1, 2, 3}, {1, 2, 3, 4, 5}}) {
+    const std::vector<std::vector<int>> faces = {{1, 2, 3, 4}, bad};
+    try {
+      regions(params::internal_faces(faces), keys);
+      ADD_FAILURE() << "nothing was thrown for " << bad.size();
+    }
+    catch (const HMO::Input_error& error) {
+      EXPECT_EQ(error.element(), HMO::Input_error::Element::PARAMETER);
+      EXPECT_EQ(error.element_index(), 1u);
+      EXPECT_NE(error.message().find("internal face 1 has " + std::to_string(bad.size())), std::string::npos);
+    }
+  }
+}
+
 struct Counting_visitor
 {
   std::size_t calls = 0;

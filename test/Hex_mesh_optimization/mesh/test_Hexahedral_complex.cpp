@@ -213,21 +213,177 @@ TEST(Hexahedral_complex, refuses_neighbors_with_a_twisted_face)
   expect_refused(Element::HEXAHEDRON, 1, "hexahedra 0 and 1", [&] { block.complex(); });
 }
 
-TEST(Hexahedral_complex, refuses_two_hexahedra_that_share_only_an_edge)
+// --- Where the boundary is not a manifold --------------------------------------------------
+
+// Of the only edge or vertex that both have
+TEST(Hexahedral_complex, of_two_hexahedra_that_share_only_an_edge)
 {
   const Block block(2, 2, 1);
-  const Hexahedra diagonal = {block.hexahedra[0], block.hexahedra[3]};
+  const Hexahedral_complex complex(block.points.size(), {block.hexahedra[0], block.hexahedra[3]});
   const int a = block.vertex(1, 1, 0), b = block.vertex(1, 1, 1);
-  expect_refused(Element::HEXAHEDRON, 0, "vertex " + std::to_string(a) + " to vertex " + std::to_string(b),
-                 [&] { Hexahedral_complex(block.points.size(), diagonal); });
+  EXPECT_EQ(complex.boundary_faces.size(), 12u);
+  EXPECT_EQ(complex.boundary_edges.size(), 23u);
+  for (const auto& e : complex.boundary_edges)
+    EXPECT_EQ(e.right < 0, complex.edges[e.edge] == (std::array<int, 2>{a, b})) << e.edge;
+  for (int v = 0; v < int(block.points.size()); ++v)
+    EXPECT_EQ(bool(complex.is_singular[v]), v == a || v == b) << v;
 }
 
-TEST(Hexahedral_complex, refuses_two_hexahedra_that_share_only_a_vertex)
+TEST(Hexahedral_complex, of_two_hexahedra_that_share_only_a_vertex)
 {
   const Block block(2, 2, 2);
-  const Hexahedra diagonal = {block.hexahedra[0], block.hexahedra[7]};
-  expect_refused(Element::VERTEX, block.vertex(1, 1, 1), "not a manifold",
-                 [&] { Hexahedral_complex(block.points.size(), diagonal); });
+  const Hexahedral_complex complex(block.points.size(), {block.hexahedra[0], block.hexahedra[7]});
+  EXPECT_EQ(complex.boundary_edges.size(), 24u);
+  for (const auto& e : complex.boundary_edges)
+    EXPECT_GE(e.right, 0);
+  for (int v = 0; v < int(block.points.size()); ++v)
+    EXPECT_EQ(bool(complex.is_singular[v]), v == block.vertex(1, 1, 1)) << v;
+}
+
+// A void, a pit, a notch, and a missing corner are no contacts.
+TEST(Hexahedral_complex, has_no_singular_vertex_around_a_missing_hexahedron)
+{
+  const Block block(3, 3, 3);
+  for (const auto& [i, j, k] : {std::array{1, 1, 1}, std::array{0, 1, 1}, std::array{0, 0, 1}, std::array{0, 0, 0}}) {
+    std::vector<Hexahedron> all = block.hexahedra;
+    all.erase(all.begin() + i + 3 * (j + 3 * k));
+    const Hexahedral_complex complex(block.points.size(), all);
+    EXPECT_EQ(complex.is_singular, std::vector<char>(block.points.size(), false)) << i << j << k;
+  }
+}
+
+// --- Regions -------------------------------------------------------------------------------
+
+std::vector<int> labels_by(const Block& block, int (*label)(int i, int j, int k))
+{
+  std::vector<int> labels;
+  for (int k = 0; k < block.nz; ++k)
+    for (int j = 0; j < block.ny; ++j)
+      for (int i = 0; i < block.nx; ++i)
+        labels.push_back(label(i, j, k));
+  return labels;
+}
+
+// Out of the hexahedron that it belongs to
+void expect_seen_from_outside(const Block& block, const Hexahedral_complex& complex)
+{
+  const auto center = [&](const auto& vertices) {
+    Vector_3 sum = Vector_3::Zero();
+    for (int v : vertices)
+      sum += block.points[v];
+    return Vector_3(sum / double(vertices.size()));
+  };
+  for (const auto& f : complex.boundary_faces) {
+    const Vector_3 normal = (block.points[f.vertices[2]] - block.points[f.vertices[0]])
+                              .cross(block.points[f.vertices[3]] - block.points[f.vertices[1]]);
+    const Vector_3 to_face = center(f.vertices) - center(complex.hexahedra[f.hexahedron]);
+    EXPECT_GT(normal.dot(to_face), 0);
+    if (f.beyond >= 0) {
+      EXPECT_LT(normal.dot(center(f.vertices) - center(complex.hexahedra[f.beyond])), 0);
+    }
+  }
+}
+
+TEST(Hexahedral_complex, lists_interfaces_after_the_outer_faces_and_as_seen_from_the_lower_label)
+{
+  const Block block(2, 2, 2);
+  const auto labels = labels_by(block, [](int i, int, int k) { return i == 0 ? 7 : k == 0 ? -3 : 7; });
+  const Hexahedral_complex complex(block.points.size(), block.hexahedra, {labels, {}});
+  ASSERT_EQ(complex.boundary_faces.size(), 24u + 4u);
+  EXPECT_EQ(complex.interior_faces.size(), 12u);
+  for (std::size_t f = 0; f < complex.boundary_faces.size(); ++f) {
+    const auto& face = complex.boundary_faces[f];
+    EXPECT_EQ(face.beyond >= 0, f >= 24);
+    if (face.beyond >= 0) {
+      EXPECT_EQ(complex.label(face.hexahedron), -3);
+      EXPECT_EQ(complex.label(face.beyond), 7);
+    }
+  }
+  expect_seen_from_outside(block, complex);
+  EXPECT_TRUE(complex.is_on_boundary[block.vertex(1, 1, 1)]);
+}
+
+// The interface meets the outer faces in a rim of edges with three faces
+TEST(Hexahedral_complex, has_no_right_face_at_edges_of_three_and_more)
+{
+  const Block block(2, 2, 2);
+  const auto halves = labels_by(block, [](int i, int, int) { return i; });
+  const Hexahedral_complex complex(block.points.size(), block.hexahedra, {halves, {}});
+  for (const auto& e : complex.boundary_edges) {
+    const auto x = [&](int end) { return block.points[complex.edges[e.edge][end]][0]; };
+    const auto is_inside = [&](int end) { return complex.edges[e.edge][end] == block.vertex(1, 1, 1); };
+    EXPECT_EQ(e.right < 0, x(0) == 1 && x(1) == 1 && !is_inside(0) && !is_inside(1)) << e.edge;
+  }
+  for (int v = 0; v < 27; ++v)
+    EXPECT_EQ(bool(complex.is_singular[v]), block.points[v][0] == 1 && v != block.vertex(1, 1, 1)) << v;
+  // four quarters: the edges inside have four faces
+  const auto quarters = labels_by(block, [](int i, int j, int) { return i + 2 * j; });
+  const Hexahedral_complex four(block.points.size(), block.hexahedra, {quarters, {}});
+  int inside = 0;
+  for (const auto& e : four.boundary_edges)
+    if (four.edges[e.edge][0] == block.vertex(1, 1, 1) || four.edges[e.edge][1] == block.vertex(1, 1, 1)) {
+      const auto& ends = four.edges[e.edge];
+      const bool is_axis = (block.points[ends[0]] - block.points[ends[1]])[2] != 0;
+      EXPECT_EQ(e.right < 0, is_axis);
+      inside += is_axis;
+    }
+  EXPECT_EQ(inside, 2);
+}
+
+TEST(Hexahedral_complex, of_one_label_is_that_of_none)
+{
+  const Block block(2, 2, 2);
+  const Hexahedral_complex plain = block.complex(), labelled(27, block.hexahedra, {std::vector<int>(8, 5), {}});
+  EXPECT_EQ(labelled.boundary_faces.size(), plain.boundary_faces.size());
+  EXPECT_EQ(labelled.is_on_boundary, plain.is_on_boundary);
+  EXPECT_EQ(labelled.label(3), 5);
+  EXPECT_EQ(plain.label(3), 0);
+}
+
+// Whichever way round their hexahedra have them, and in whatever order they are listed
+TEST(Hexahedral_complex, orients_listed_faces_within_a_region_consistently)
+{
+  const Block block(4, 4, 4);
+  std::vector<std::array<int, 4>> listed;
+  for (int j = 0; j < 3; ++j)
+    for (int k = 1; k < 4; ++k)
+      listed.push_back({block.vertex(2, j, k), block.vertex(2, j + 1, k), block.vertex(2, j, k + 1),
+                        block.vertex(2, j + 1, k + 1)}); // in no order around the face
+  // every second hexahedron is listed first
+  std::vector<Hexahedron> hexahedra;
+  for (std::size_t parity : {0, 1})
+    for (std::size_t h = 0; h < block.hexahedra.size(); ++h)
+      if ((h + h / 4 + h / 16) % 2 == parity)
+        hexahedra.push_back(block.hexahedra[h]);
+  const Hexahedral_complex complex(block.points.size(), hexahedra, {{}, listed});
+  ASSERT_EQ(complex.boundary_faces.size(), 96u + 9u);
+  expect_seen_from_outside(block, complex);
+  std::set<double> sides;
+  for (std::size_t f = 96; f < complex.boundary_faces.size(); ++f) {
+    const auto& q = complex.boundary_faces[f].vertices;
+    sides.insert((block.points[q[1]] - block.points[q[0]]).cross(block.points[q[2]] - block.points[q[0]])[0]);
+  }
+  EXPECT_EQ(sides.size(), 1u) << "all are seen from the same side";
+  for (const auto& e : complex.boundary_edges)
+    if (complex.boundary_faces[e.left].beyond >= 0) { // two within the sheet, else its rim
+      const auto& ends = complex.edges[e.edge];
+      const auto is_rim = [&](int d, double low, double high) {
+        return block.points[ends[0]][d] == block.points[ends[1]][d] &&
+               (block.points[ends[0]][d] == low || block.points[ends[0]][d] == high);
+      };
+      EXPECT_EQ(e.right < 0, is_rim(1, 0, 3) || is_rim(2, 1, 4)) << e.edge;
+    }
+}
+
+TEST(Hexahedral_complex, takes_listed_faces_that_are_on_the_boundary_anyway_once)
+{
+  const Block block(2, 1, 1);
+  const std::array<int, 4> outer = {block.vertex(0, 0, 0), block.vertex(0, 1, 0), block.vertex(0, 1, 1),
+                                    block.vertex(0, 0, 1)};
+  const std::array<int, 4> middle = {block.vertex(1, 0, 0), block.vertex(1, 1, 0), block.vertex(1, 1, 1),
+                                     block.vertex(1, 0, 1)};
+  EXPECT_EQ(Hexahedral_complex(12, block.hexahedra, {{}, {outer}}).boundary_faces.size(), 10u);
+  EXPECT_EQ(Hexahedral_complex(12, block.hexahedra, {{1, 2}, {middle, middle}}).boundary_faces.size(), 11u);
 }
 
 TEST(Hexahedral_complex, accepts_components_apart)

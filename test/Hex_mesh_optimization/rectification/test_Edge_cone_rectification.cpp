@@ -5,6 +5,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
@@ -31,6 +32,7 @@ constexpr double no_target = std::numeric_limits<double>::infinity();
 struct Rectified_block
 {
   Generated_mesh mesh;
+  Surface_faces faces;
   std::unique_ptr<Reference_surface> surface;
   Boundary_attachment attachment;
   Edge_relations relations;
@@ -40,6 +42,7 @@ struct Rectified_block
     : mesh([](auto& p, auto& h) {
       CGAL::Hex_mesh_optimization::make_block(p, h, {{4, 4, 4}}, {{4, 4, 4}});
     })
+    , faces(boundary_surface_faces(mesh.complex))
     , surface(mesh.own_reference())
     , attachment(attach_to_own_boundary(mesh.complex, *surface))
     , relations(mesh.complex)
@@ -58,7 +61,7 @@ struct Rectified_block
   void run(Positions& points, Run_control& control, double target) const
   {
     const std::vector<double> lengths(mesh.complex.edges.size(), 1.);
-    Edge_cone_rectification(mesh.complex, relations, *surface, attachment, attachment.fixed_vertices(), lengths,
+    Edge_cone_rectification(mesh.complex, relations, faces, *surface, attachment, attachment.fixed_vertices(), lengths,
                             parameters)
       .run(points, control, target);
   }

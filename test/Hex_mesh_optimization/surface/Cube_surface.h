@@ -7,6 +7,7 @@
 // The surface of a cube of any size that stands for a mesh of 27 hexahedra.
 
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include "../mesh_families.h"
@@ -42,7 +43,10 @@ struct Surface
       });
   }
 
-  std::vector<Surface_sample> samples() const { return spread_samples(points, triangles, number_of_faces, spacing); }
+  std::vector<Surface_sample> samples() const
+  {
+    return spread_samples(Triangle_surface(points, triangles), number_of_faces, spacing);
+  }
 };
 
 } // namespace test

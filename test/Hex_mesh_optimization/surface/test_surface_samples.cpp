@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace {
@@ -74,6 +75,37 @@ TEST(Surface_samples, of_long_needles_are_in_proportion_to_the_mesh)
     for (const Surface_sample& s : samples)
       EXPECT_TRUE(s.point.allFinite());
   }
+}
+
+// A vertex on several sheets is a sample of each, and each sheet has its area.
+TEST(Surface_samples, are_spread_sheet_by_sheet)
+{
+  const Surface cube(1);
+  std::vector<int> sheets;
+  for (std::size_t t = 0; t < cube.triangles.size(); ++t)
+    sheets.push_back(int(t * 7 % 3)); // mixed
+  const Triangle_surface surface(cube.points, cube.triangles, sheets);
+  std::vector<double> areas(3, 0.);
+  std::vector<std::set<int>> vertices(3);
+  int last = 0;
+  for (const Surface_sample& s : spread_samples(surface, number_of_faces, spacing)) {
+    EXPECT_GE(s.sheet, last);
+    last = s.sheet;
+    areas[s.sheet] += s.area;
+    if (s.vertex >= 0) {
+      EXPECT_TRUE(vertices[s.sheet].insert(s.vertex).second) << "once in a sheet";
+      EXPECT_EQ(s.point, cube.points[s.vertex]);
+    }
+  }
+  std::vector<double> expected_areas(3, 0.);
+  std::vector<std::set<int>> expected(3);
+  for (std::size_t t = 0; t < sheets.size(); ++t) {
+    expected_areas[sheets[t]] += .5;
+    expected[sheets[t]].insert(cube.triangles[t].begin(), cube.triangles[t].end());
+  }
+  EXPECT_EQ(vertices, expected);
+  for (int s = 0; s < 3; ++s)
+    EXPECT_NEAR(areas[s], expected_areas[s], 1e-12);
 }
 
 } // namespace

@@ -17,6 +17,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/orientation.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/quality_statistics.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -30,7 +31,7 @@ class Checked_mesh
 public:
   // Throws Input_error, with elements numbered as the caller knows them.
   Checked_mesh(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions = {})
-    : Checked_mesh(points, regions, numbering(points, hexahedra))
+    : Checked_mesh(points, regions, numbering(points, hexahedra, regions))
   {}
 
   // As the caller finds it, sums in the same order.
@@ -63,9 +64,10 @@ private:
     , given_hexahedra_(std::move(numbering.hexahedra))
   {}
 
-  static Numbering numbering(const Positions& points, const std::vector<Hexahedron>& hexahedra)
+  static Numbering numbering(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions)
   {
     check(points, hexahedra);
+    check(regions.faces, points.size());
     const Face_neighbors neighbors(hexahedra);
     const Orientation orientation(points, hexahedra, neighbors);
     std::vector<std::size_t> turned_hexahedra;
@@ -107,6 +109,15 @@ private:
                               "hexahedron " + std::to_string(h) + " has vertex " + std::to_string(hexahedra[h][i]) +
                                 " at two corners");
       }
+  }
+
+  static void check(const std::vector<std::array<int, 4>>& internal_faces, std::size_t number_of_vertices)
+  {
+    for (std::size_t f = 0; f < internal_faces.size(); ++f)
+      for (int v : internal_faces[f])
+        if (v < 0 || std::size_t(v) >= number_of_vertices)
+          throw Input_error(Input_error::Element::PARAMETER, f,
+                            "internal face " + std::to_string(f) + " refers to a vertex that does not exist");
   }
 
   const std::vector<Hexahedron> given_hexahedra_; // in the caller's order and numbering, but for the orientation

@@ -114,7 +114,7 @@ Optimization_parameters optimization_parameters(const NamedParameters& np, const
   return p;
 }
 
-// keys: of the hexahedra, by which the map of the caller is asked
+// keys: of the hexahedra, by which the map of the caller is asked. Throws Input_error for a face without four vertices.
 template <class NamedParameters, class Key>
 Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
 {
@@ -126,10 +126,17 @@ Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
   }
   if constexpr (is_given<NamedParameters, internal_np::hex_internal_faces_t>)
     for (const auto& face : parameters::get_parameter(np, internal_np::hex_internal_faces)) {
+      const auto count = std::distance(std::begin(face), std::end(face));
+      if (count != 4)
+        throw Input_error(Input_error::Element::PARAMETER, result.faces.size(),
+                          "internal face " + std::to_string(result.faces.size()) + " has " + std::to_string(count) +
+                            " vertices");
       std::array<int, 4> vertices;
       auto v = std::begin(face);
-      for (int& corner : vertices)
-        corner = static_cast<int>(*v++);
+      for (int& corner : vertices) {
+        const auto index = static_cast<unsigned long long>(*v++); // negative ones become huge
+        corner = index > 0x7fffffffull ? -1 : static_cast<int>(index);
+      }
       result.faces.push_back(vertices);
     }
   return result;

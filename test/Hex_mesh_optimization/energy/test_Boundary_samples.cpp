@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The samples that hold interfaces: bounded without a bound being asked for, each on its own sheet.
+
+#include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
+
+#include "../block_of_cubes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Cubes below z = 2 and above it, in one region or in two
+struct Layers
+{
+  Block block{4, 4, 4};
+  Hexahedral_complex complex;
+  Surface_faces faces;
+  std::unique_ptr<Reference_surface> surface;
+  Boundary_attachment attachment;
+  std::vector<double> lengths;
+  Boundary_sample_parameters parameters;
+
+  explicit Layers(bool is_divided)
+    : complex(block.points.size(), block.hexahedra, {is_divided ? labels() : std::vector<int>(), {}})
+    , faces(boundary_surface_faces(complex))
+    , surface(boundary_as_reference(complex, faces, block.points, Feature_parameters()))
+    , attachment(attach_to_own_boundary(complex, *surface))
+    , lengths(edge_lengths(complex, block.points))
+  {
+    attachment.set_sheets(faces);
+  }
+
+  std::vector<int> labels() const
+  {
+    std::vector<int> result;
+    for (const Hexahedron& h : block.hexahedra)
+      result.push_back(block.points[h[0]][2] < 2 ? 1 : 2);
+    return result;
+  }
+
+  Boundary_samples samples(double maximum_deviation = infinity) const
+  {
+    return Boundary_samples(complex, faces, *surface, attachment, lengths, false, maximum_deviation, parameters);
+  }
+};
+
+TEST(Boundary_samples, are_bounded_where_there_is_an_interface)
+{
+  EXPECT_FALSE(Layers(false).samples().is_bounded());
+  EXPECT_FALSE(Layers(false).samples().has_tolerance());
+  const Layers layers(true);
+  Boundary_samples samples = layers.samples();
+  EXPECT_TRUE(samples.is_bounded());
+  EXPECT_FALSE(samples.is_bounded_everywhere());
+  samples.update(layers.block.points, 1);
+  int of_interface = 0;
+  for (const Boundary_sample& s : samples.samples()) {
+    const bool is_on_interface = layers.faces.is_interface(s.face);
+    of_interface += is_on_interface;
+    EXPECT_EQ(std::isfinite(s.bound), is_on_interface);
+    if (is_on_interface) {
+      EXPECT_NEAR(s.bound, layers.parameters.kept_part * layers.parameters.interface_deviation, 1e-12);
+    }
+  }
+  EXPECT_GT(of_interface, 16 * 9) << "on a lattice in each face";
+  Boundary_samples bounded = layers.samples(.01);
+  EXPECT_TRUE(bounded.is_bounded_everywhere());
+  bounded.update(layers.block.points, 1);
+  for (const Boundary_sample& s : bounded.samples())
+    EXPECT_NEAR(s.bound, layers.parameters.kept_part * .01, 1e-12) << "the lower of two bounds";
+}
+
+// Beyond the bound of the interface, and at the same distance on the outer boundary
+TEST(Boundary_samples, exceed_the_bound_of_an_interface_only_there)
+{
+  const Layers layers(true);
+  const double way = 2 * layers.parameters.interface_deviation;
+  for (const bool on_interface : {true, false}) {
+    Boundary_samples samples = layers.samples();
+    Positions points = layers.block.points;
+    points[layers.block.vertex(2, 2, on_interface ? 2 : 4)][2] += way;
+    samples.update(points, 1);
+    if (on_interface) {
+      EXPECT_NEAR(samples.excess(points),
+                  way / (layers.parameters.kept_part * layers.parameters.interface_deviation) - 1, 1e-6);
+    }
+    else {
+      EXPECT_EQ(samples.excess(points), 0);
+    }
+    // the hexahedra on both sides of the interface, or none
+    std::vector<char> is_leaving(layers.block.hexahedra.size(), false);
+    Boundary_samples at_rest = layers.samples();
+    at_rest.update(layers.block.points, 1);
+    at_rest.find_leaving(layers.block.points, points, layers.complex, is_leaving);
+    for (std::size_t h = 0; h < is_leaving.size(); ++h) {
+      const Hexahedron& vertices = layers.block.hexahedra[h];
+      const bool has_vertex = std::count(vertices.begin(), vertices.end(), layers.block.vertex(2, 2, 2)) > 0;
+      EXPECT_EQ(bool(is_leaving[h]), on_interface && has_vertex) << h;
+    }
+  }
+}
+
+// Close to another sheet, what belongs to the interface is drawn to the interface.
+TEST(Boundary_samples, have_their_targets_in_their_own_sheet)
+{
+  const Layers layers(true);
+  Positions points = layers.block.points;
+  for (Vector_3& p : points)
+    if (p[2] == 2)
+      p[2] = 3.8; // nearly at the top
+  Boundary_samples samples = layers.samples();
+  samples.update(points, 1);
+  for (const Boundary_sample& s : samples.samples())
+    if (layers.faces.is_interface(s.face)) {
+      EXPECT_NEAR(s.offset(points).norm(), 1.8, 1e-9);
+    }
+}
+
+} // namespace

@@ -1,0 +1,518 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes of several regions, with internal faces, and with boundaries that are no manifolds: what is between regions
+// stays where it is while all becomes valid, and the guarantees hold. All is measured on the mesh that is handed back.
+
+#include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
+#include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
+
+#include "Marked_vertices.h"
+#include "labelled_meshes.h"
+#include "mesh_checks.h"
+
+#include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace params = CGAL::parameters;
+using namespace HMO::internal;
+using HMO::Status;
+using Point = Indexed_mesh::Point;
+using Surface_mesh = CGAL::Surface_mesh<Point>;
+
+// A vector as a property map of its indices
+struct Labels
+{
+  using key_type = std::size_t;
+  using value_type = int;
+  using reference = int;
+  using category = boost::readable_property_map_tag;
+  const std::vector<int>* labels;
+  friend int get(const Labels& map, std::size_t h) { return (*map.labels)[h]; }
+};
+
+auto regions_of(const Labelled_mesh& mesh)
+{
+  return params::hexahedron_label_map(Labels{&mesh.labels}).internal_faces(mesh.internal_faces);
+}
+
+Status optimize(Labelled_mesh& mesh)
+{
+  if (mesh.labels.empty())
+    return CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::internal_faces(mesh.internal_faces));
+  return CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, regions_of(mesh));
+}
+
+// The faces between two labels, or listed within one, by their labels
+std::map<std::array<int, 2>, std::vector<std::array<int, 4>>> interfaces(const Labelled_mesh& mesh)
+{
+  std::map<std::array<int, 2>, std::vector<std::array<int, 4>>> result;
+  const auto complex = mesh.regions();
+  for (const auto& f : complex.boundary_faces)
+    if (f.beyond >= 0)
+      result[{complex.label(f.hexahedron), complex.label(f.beyond)}].push_back(f.vertices);
+  return result;
+}
+
+// From a lattice of points on each face of one
+double largest_distance(const std::vector<std::array<int, 4>>& faces, const Positions& from, const Positions& to)
+{
+  const int n = 6;
+  const Triangle_surface surface(to, split_quads(faces));
+  double largest = 0;
+  for (const Triangle_indices& t : split_quads(faces))
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const double u = double(i) / n, v = double(j) / n;
+        const Vector_3 p = (1 - u - v) * from[t[0]] + u * from[t[1]] + v * from[t[2]];
+        largest = (std::max)(largest, (surface.closest_point(p).point - p).norm());
+      }
+  return largest;
+}
+
+double mean_edge(const std::vector<std::array<int, 4>>& faces, const Positions& points)
+{
+  std::set<std::array<int, 2>> edges;
+  for (const auto& q : faces)
+    for (int k = 0; k < 4; ++k)
+      edges.insert({(std::min)(q[k], q[(k + 1) % 4]), (std::max)(q[k], q[(k + 1) % 4])});
+  double sum = 0;
+  for (const auto& e : edges)
+    sum += (points[e[0]] - points[e[1]]).norm();
+  return sum / double(edges.size());
+}
+
+// Where the surfaces of the mesh were and are, and what the status says of that
+void expect_kept(const Labelled_mesh& intact, const Labelled_mesh& mesh, const Status& status)
+{
+  const auto between = interfaces(intact);
+  const Positions before = positions(intact), after = positions(mesh);
+  ASSERT_EQ(status.interfaces.size(), between.size());
+  std::size_t i = 0;
+  for (const auto& [labels, faces] : between) {
+    const HMO::Interface_statistics& reported = status.interfaces[i++];
+    EXPECT_EQ(reported.labels, labels);
+    EXPECT_EQ(reported.number_of_faces, faces.size());
+    const double deviation = (std::max)(largest_distance(faces, before, after), largest_distance(faces, after, before));
+    const double edge = mean_edge(faces, before);
+    EXPECT_LE(deviation, .1 * edge) << "between " << labels[0] << " and " << labels[1];
+    EXPECT_LE(reported.deviation.maximum, .1 * edge);
+    EXPECT_NEAR(reported.deviation.maximum, deviation, .03 * edge);
+    EXPECT_LE(reported.deviation.average, reported.deviation.maximum);
+  }
+  const std::set<int> labels = intact.labels.empty() ? std::set<int>{0}
+                                                     : std::set<int>(intact.labels.begin(), intact.labels.end());
+  ASSERT_EQ(status.regions.size(), labels.size());
+  i = 0;
+  double sum_before = 0, sum_after = 0;
+  for (int label : labels) {
+    const HMO::Region_volume& reported = status.regions[i++];
+    EXPECT_EQ(reported.label, label);
+    const double volume = volume_of_label(intact, label);
+    EXPECT_NEAR(reported.before, volume, 1e-9 * volume) << "wherever the interior is";
+    EXPECT_NEAR(reported.after, volume_of_label(mesh, label), 1e-9 * volume);
+    EXPECT_NEAR(reported.after, volume, .01 * volume) << "of label " << label;
+    sum_before += reported.before;
+    sum_after += reported.after;
+  }
+  EXPECT_NEAR(sum_before, status.volume_before, 1e-9 * sum_before);
+  EXPECT_NEAR(sum_after, status.volume_after, 1e-9 * sum_after);
+}
+
+class Regions_of : public ::testing::TestWithParam<Labelled_family>
+{};
+
+INSTANTIATE_TEST_SUITE_P(Families, Regions_of, ::testing::ValuesIn(labelled_families()), Family_name());
+
+TEST_P(Regions_of, are_untangled_and_keep_their_interfaces)
+{
+  const Labelled_mesh intact = GetParam().make();
+  ASSERT_TRUE(invalid_hexahedra(intact).empty());
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (double edges : {.3, 1.}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(edges) + " edges");
+      Labelled_mesh mesh = intact;
+      scramble_within_regions(mesh, seed, edges);
+      EXPECT_TRUE(edges < 1 || !invalid_hexahedra(mesh).empty());
+      const Status status = optimize(mesh);
+      EXPECT_TRUE(status.valid_mesh());
+      EXPECT_TRUE(invalid_hexahedra(mesh).empty());
+      expect_kept(intact, mesh, status);
+    }
+}
+
+// Without labels the same mesh loses its interface: what the labels do is seen
+TEST(Regions, are_what_keeps_an_interface)
+{
+  const Labelled_mesh intact = ball_in_a_block();
+  const auto faces = interfaces(intact).begin()->second;
+  Labelled_mesh with = intact, without = intact;
+  scramble_within_regions(with, 1, 1);
+  without.points = with.points;
+  without.labels.clear();
+  optimize(with);
+  const Status status = optimize(without);
+  EXPECT_TRUE(status.interfaces.empty());
+  EXPECT_EQ(status.regions.size(), 1u);
+  const auto farthest = [&](const Labelled_mesh& mesh) {
+    return largest_distance(faces, positions(mesh), positions(intact));
+  };
+  EXPECT_LT(3 * farthest(with), farthest(without));
+}
+
+// They need not be tangled to be improved: vertices slide within an interface.
+TEST_P(Regions_of, have_vertices_that_slide_in_interfaces)
+{
+  Labelled_mesh mesh = GetParam().make();
+  std::mt19937 random(7);
+  const auto complex = mesh.regions();
+  const Positions before = positions(mesh);
+  const Surface_faces faces = boundary_surface_faces(complex);
+  const auto surface = boundary_as_reference(complex, faces, before, Feature_parameters());
+  Boundary_attachment attachment = attach_to_own_boundary(complex, *surface);
+  // within smooth interfaces, towards a neighbor
+  std::set<int> moved;
+  for (const Surface_faces::Vertex& v : faces.vertices)
+    if (faces.is_interface(v.face) && attachment.kind[v.vertex] == Vertex_kind::SURFACE && random() % 2 == 0) {
+      const auto& q = faces.quads[v.face];
+      const int next = q[(std::find(q.begin(), q.end(), v.vertex) - q.begin() + 1) % 4];
+      if (moved.count(next))
+        continue;
+      moved.insert(v.vertex);
+      mesh.points[v.vertex] = CGAL::ORIGIN +
+                              (.7 * (mesh.points[v.vertex] - CGAL::ORIGIN) + .3 * (mesh.points[next] - CGAL::ORIGIN));
+    }
+  ASSERT_GT(moved.size(), 0u);
+  const Labelled_mesh input = mesh;
+  const Status status = optimize(mesh);
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_GE(status.after.minimum, status.before.minimum);
+  EXPECT_GT(status.after.average, status.before.average);
+  expect_kept(input, mesh, status);
+  int slid = 0;
+  for (int v : moved)
+    slid += !same_bits(mesh.points[v], input.points[v]);
+  EXPECT_GT(slid, 0);
+}
+
+TEST_P(Regions_of, come_out_with_the_same_bits_in_one_thread_and_two)
+{
+  Labelled_mesh sequential = GetParam().make();
+  scramble_within_regions(sequential, 3, .7);
+  const Labelled_mesh input = sequential;
+  optimize(sequential);
+#ifdef CGAL_LINKED_WITH_TBB
+  for (int threads : {1, 2}) {
+    Labelled_mesh mesh = input;
+    tbb::task_arena arena(threads);
+    arena.execute([&] { CGAL::optimize_hex_mesh<CGAL::Parallel_tag>(mesh.points, mesh.hexahedra, regions_of(mesh)); });
+    EXPECT_TRUE(same_points(mesh.points, sequential.points)) << threads;
+  }
+#endif
+  Labelled_mesh again = input;
+  optimize(again);
+  EXPECT_TRUE(same_points(again.points, sequential.points));
+}
+
+// --- Guarantees ----------------------------------------------------------------------------
+
+void expect_never_worse(const Labelled_mesh& input, const Labelled_mesh& mesh)
+{
+  const HMO::Quality_statistics a = HMO::quality_statistics(input.points, input.hexahedra);
+  const HMO::Quality_statistics b = HMO::quality_statistics(mesh.points, mesh.hexahedra);
+  EXPECT_LE(b.number_of_inverted, a.number_of_inverted);
+  if (invalid_hexahedra(input).empty()) {
+    EXPECT_TRUE(invalid_hexahedra(mesh).empty());
+    EXPECT_GE(b.minimum, a.minimum);
+  }
+}
+
+// Noise on all vertices, those of interfaces too: the mesh that comes in is its own reference
+TEST_P(Regions_of, are_never_made_worse)
+{
+  const Labelled_mesh intact = GetParam().make();
+  for (unsigned seed = 0; seed < 4; ++seed)
+    for (double edges : {0., .05, .2, .6}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(edges) + " edges");
+      Labelled_mesh mesh = intact;
+      std::mt19937 random(seed);
+      const double size = edges * mesh.mean_edge_length();
+      const auto step = [&] { return size * (random() / 2147483648. - 1); };
+      for (Point& p : mesh.points) {
+        const double x = step(), y = step(), z = step();
+        p = Point(p.x() + x, p.y() + y, p.z() + z);
+      }
+      std::vector<char> is_frozen(mesh.points.size(), false);
+      for (std::size_t v = seed; v < is_frozen.size(); v += 5)
+        is_frozen[v] = seed % 2;
+      const Labelled_mesh input = mesh;
+      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                              regions_of(mesh).vertex_is_constrained_map(Marked_vertices{&is_frozen}));
+      expect_never_worse(input, mesh);
+      for (std::size_t v = 0; v < is_frozen.size(); ++v)
+        if (is_frozen[v]) {
+          EXPECT_TRUE(same_bits(mesh.points[v], input.points[v])) << v;
+        }
+    }
+}
+
+TEST_P(Regions_of, have_an_outer_boundary_that_can_be_fixed)
+{
+  const Labelled_mesh intact = GetParam().make();
+  Labelled_mesh mesh = intact;
+  scramble_within_regions(mesh, 5, 1);
+  const Labelled_mesh input = mesh;
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, regions_of(mesh).fixed_boundary(true));
+  EXPECT_TRUE(status.valid_mesh());
+  expect_never_worse(input, mesh);
+  expect_kept(intact, mesh, status);
+  const auto is_outside = mesh.complex().is_on_boundary;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (is_outside[v]) {
+      EXPECT_TRUE(same_bits(mesh.points[v], input.points[v])) << v;
+    }
+}
+
+// --- Internal faces ------------------------------------------------------------------------
+
+TEST(Internal_faces, of_a_baffle_are_kept)
+{
+  const Labelled_mesh intact = block_with_a_baffle();
+  ASSERT_EQ(intact.internal_faces.size(), 12u);
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Labelled_mesh mesh = intact;
+    scramble_within_regions(mesh, seed, 1);
+    const Status status = optimize(mesh);
+    EXPECT_TRUE(status.valid_mesh());
+    expect_kept(intact, mesh, status);
+    ASSERT_EQ(status.interfaces.size(), 1u);
+    EXPECT_EQ(status.interfaces[0].labels, (std::array<int, 2>{0, 0}));
+    EXPECT_EQ(status.interfaces[0].number_of_faces, 12u);
+  }
+}
+
+TEST(Internal_faces, are_kept_beside_interfaces)
+{
+  Labelled_mesh intact = block_with_a_baffle();
+  intact.label([](const Point& p) { return p.z() < 2 ? 4 : 2; });
+  for (unsigned seed = 0; seed < 2; ++seed) {
+    Labelled_mesh mesh = intact;
+    scramble_within_regions(mesh, seed, .8);
+    const Status status = optimize(mesh);
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_EQ(status.interfaces.size(), 3u); // 2 2, 2 4, 4 4
+    expect_kept(intact, mesh, status);
+  }
+}
+
+// --- Boundaries that are no manifolds -------------------------------------------------------
+
+TEST(Contacts, of_random_voxels_are_kept)
+{
+  int contacts_at_edges = 0, contacts_at_vertices = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const Labelled_mesh intact = random_voxels(seed, seed % 2 ? .25 : .45);
+    Labelled_mesh mesh = intact;
+    HMO::jitter_boundary(mesh.points, mesh.hexahedra, seed, .2);
+    scramble_within_regions(mesh, seed, .8);
+    const Labelled_mesh input = mesh;
+    const Status status = optimize(mesh);
+    EXPECT_TRUE(status.valid_mesh());
+    expect_never_worse(input, mesh);
+    const auto complex = mesh.complex();
+    for (int v : touching_vertices(complex)) {
+      ++contacts_at_vertices;
+      EXPECT_LT(CGAL::squared_distance(mesh.points[v], intact.points[v]), 1e-20) << v;
+    }
+    for (const auto& e : complex.boundary_edges)
+      if (e.right < 0) {
+        ++contacts_at_edges;
+        // contacts are along axes: what is across them stays
+        for (int v : complex.edges[e.edge])
+          EXPECT_LE(CGAL::squared_distance(mesh.points[v],
+                                           Indexed_mesh::Kernel::Line_3(intact.points[complex.edges[e.edge][0]],
+                                                                        intact.points[complex.edges[e.edge][1]])),
+                    .01 / 9)
+            << v;
+      }
+  }
+  EXPECT_GT(contacts_at_edges, 20);
+  EXPECT_GT(contacts_at_vertices, 3);
+}
+
+TEST(Contacts, with_a_fixed_boundary_stay_bit_for_bit)
+{
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    Labelled_mesh mesh = random_voxels(seed);
+    scramble_within_regions(mesh, seed, 1);
+    const Labelled_mesh input = mesh;
+    EXPECT_TRUE(CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::fixed_boundary(true)).valid_mesh());
+    const auto is_on_boundary = mesh.complex().is_on_boundary;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (is_on_boundary[v]) {
+        EXPECT_TRUE(same_bits(mesh.points[v], input.points[v])) << v;
+      }
+  }
+}
+
+// Voxels of several materials that touch each other in every way
+TEST(Contacts, of_voxels_of_several_labels_are_kept)
+{
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Labelled_mesh intact = random_voxels(seed, .7);
+    intact.label([&](const Point& p) {
+      const unsigned voxel = unsigned(p.x()) + 3 * unsigned(p.y()) + 9 * unsigned(p.z());
+      return int((voxel * 2654435761u + seed * 40503u) >> 30);
+    });
+    Labelled_mesh mesh = intact;
+    scramble_within_regions(mesh, seed, .8);
+    const Labelled_mesh input = mesh;
+    const Status status = optimize(mesh);
+    EXPECT_TRUE(status.valid_mesh());
+    expect_never_worse(input, mesh);
+    expect_kept(intact, mesh, status);
+  }
+}
+
+// --- Linear cell complexes ---------------------------------------------------------------
+
+using LCC =
+  CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Indexed_mesh::Kernel>>;
+
+// Labels by where the volume of a dart begins: in the mesh that comes in
+struct Labels_of_darts
+{
+#if CGAL_VERSION_NR >= 1050600000
+  using key_type = LCC::Dart_const_descriptor;
+#else
+  using key_type = LCC::Dart_const_handle;
+#endif
+  using value_type = int;
+  using reference = int;
+  using category = boost::readable_property_map_tag;
+  const LCC* lcc;
+  const std::map<std::set<Point>, int>* labels;
+  friend int get(const Labels_of_darts& map, key_type dart)
+  {
+    std::set<Point> corners;
+    for (auto it = map.lcc->one_dart_per_incident_cell<0, 3>(dart).begin(),
+              end = map.lcc->one_dart_per_incident_cell<0, 3>(dart).end();
+         it != end; ++it)
+      corners.insert(map.lcc->point(it));
+    return map.labels->at(corners);
+  }
+};
+
+TEST(Labels_of_a_linear_cell_complex, are_those_of_ranges)
+{
+  Labelled_mesh mesh = three_regions_around_a_curve();
+  scramble_within_regions(mesh, 2, .6);
+  LCC lcc;
+  HMO::hexahedra_to_linear_cell_complex(mesh.points, mesh.hexahedra, lcc);
+  std::map<std::set<Point>, int> labels;
+  for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h) {
+    std::set<Point> corners;
+    for (std::size_t v : mesh.hexahedra[h])
+      corners.insert(mesh.points[v]);
+    labels[corners] = mesh.labels[h];
+  }
+  const Status of_complex = CGAL::optimize_hex_mesh(lcc, params::hexahedron_label_map(Labels_of_darts{&lcc, &labels}));
+
+  // the same mesh, as the complex has it
+  LCC unmoved;
+  HMO::hexahedra_to_linear_cell_complex(mesh.points, mesh.hexahedra, unmoved);
+  Labelled_mesh ranges, result;
+  HMO::linear_cell_complex_to_hexahedra(unmoved, ranges.points, ranges.hexahedra);
+  for (const auto& h : ranges.hexahedra) {
+    std::set<Point> corners;
+    for (std::size_t v : h)
+      corners.insert(ranges.points[v]);
+    ranges.labels.push_back(labels.at(corners));
+  }
+  const Status of_ranges = optimize(ranges);
+  HMO::linear_cell_complex_to_hexahedra(lcc, result.points, result.hexahedra);
+  EXPECT_EQ(result.hexahedra, ranges.hexahedra);
+  EXPECT_TRUE(same_points(result.points, ranges.points));
+  ASSERT_EQ(of_complex.interfaces.size(), 3u);
+  ASSERT_EQ(of_ranges.interfaces.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(of_complex.interfaces[i].labels, of_ranges.interfaces[i].labels);
+    EXPECT_EQ(of_complex.interfaces[i].deviation.maximum, of_ranges.interfaces[i].deviation.maximum);
+  }
+}
+
+// --- With a reference ------------------------------------------------------------------------
+
+// Two disks, one on the other, within a cylinder of this radius
+Labelled_mesh pile(double radius)
+{
+  Labelled_mesh mesh;
+  HMO::make_cylinder(mesh.points, mesh.hexahedra, 4, 6, radius);
+  mesh.label([](const Point& p) { return p.z() < 1 ? 1 : 2; });
+  return mesh;
+}
+
+// The rim goes along with the outside, what is within stays in its plane.
+TEST(Reference_of_the_outside, takes_the_rims_of_interfaces_along)
+{
+  Indexed_mesh finer;
+  HMO::make_cylinder(finer.points, finer.hexahedra, 12, 12);
+  Surface_mesh surface;
+  for_boundary(
+    finer, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
+      surface.add_face(a, b, c);
+    });
+  for (double radius : {1., .99})
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(std::to_string(radius) + ", seed " + std::to_string(seed));
+      Labelled_mesh mesh = pile(radius);
+      const Labelled_mesh intact = mesh;
+      const double edge = mesh.mean_edge_length();
+      scramble_within_regions(mesh, seed, .7);
+      const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface, regions_of(mesh));
+      EXPECT_TRUE(status.valid_mesh());
+      const auto is_on_boundary = mesh.regions().is_on_boundary, is_outside = mesh.complex().is_on_boundary;
+      int rim = 0, within = 0;
+      for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        if (is_on_boundary[v] && intact.points[v].z() == 1) {
+          const Point& p = mesh.points[v];
+          EXPECT_NEAR(p.z(), 1, .1 * edge) << v;
+          ++(is_outside[v] ? rim : within);
+          if (is_outside[v]) {
+            EXPECT_NEAR(std::hypot(p.x(), p.y()), 1, .1 * edge) << v;
+          }
+        }
+      EXPECT_EQ(rim, 16);
+      EXPECT_GT(within, 20);
+      ASSERT_EQ(status.interfaces.size(), 1u);
+      for (const auto& region : status.regions)
+        EXPECT_NEAR(region.after, volume_of_label(mesh, region.label), 1e-9);
+    }
+}
+
+} // namespace
