@@ -163,11 +163,12 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *   \cgalParamNEnd
  *   \cgalParamNBegin{hexahedron_label_map}
  *     \cgalParamDescription{the label of each hexahedron, such as its material. Faces between hexahedra of different
- *                           labels are kept as the boundary is, the curves and corners where they meet each other or the
- *                           boundary included; vertices slide within them. See \ref HexMeshOptimizationRegions.}
- *     \cgalParamType{a model of `ReadablePropertyMap` with a dart of the hexahedron as key (`LCC::Dart_const_descriptor`
- *                    or, before CGAL 5.6, `LCC::Dart_const_handle`; the index of the hexahedron as `std::size_t` for index
- *                    ranges) and a value that can be converted to `int`}
+ *                           labels are kept as the boundary is, the curves and corners where they meet each other
+ *                           or the boundary included; vertices slide within them. See
+ *                           \ref HexMeshOptimizationRegions.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with a dart of the hexahedron as key
+ *                    (`LCC::Dart_const_descriptor` or, before CGAL 5.6, `LCC::Dart_const_handle`; the index of the
+ *                    hexahedron as `std::size_t` for index ranges) and a value that can be converted to `int`}
  *     \cgalParamDefault{all hexahedra have the same label}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{internal_faces}

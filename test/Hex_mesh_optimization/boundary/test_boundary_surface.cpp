@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The boundary of a mesh as its own reference: curves and corners where sheets of it meet, and what is attached to them.
+// The boundary of a mesh as its own reference: curves and corners where sheets of it meet, and what is attached to
+// them.
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Fuzz target of optimize_hex_mesh(). The bytes are a recipe: a small block of hexahedra, then edits of its
-// connectivity, coordinates and regions, and options. Whatever comes of it is refused by the documented exception and unchanged,
-// or obeys the guarantees.
+// connectivity, coordinates and regions, and options. Whatever comes of it is refused by the documented exception and
+// unchanged, or obeys the guarantees.
 
 #include "Byte_reader.h"
 #include "Input_file.h"
