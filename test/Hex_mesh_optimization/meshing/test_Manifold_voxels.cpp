@@ -3,13 +3,13 @@
 
 // Contacts in edges and vertices are removed, with few changes.
 
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include "../manifold_boundary.h"
+
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Manifold_voxels.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <random>
 #include <vector>
@@ -20,14 +20,7 @@ namespace {
 
 Voxel_grid empty_grid(int n) { return Voxel_grid(Eigen::AlignedBox3d(Vector_3::Zero(), Vector_3::Constant(n)), 1); }
 
-bool has_manifold_boundary(const Voxel_grid& grid)
-{
-  const Hexahedra mesh = voxel_hexahedra(grid);
-  if (mesh.hexahedra.empty())
-    return true;
-  const std::vector<char> is_singular = Hexahedral_complex(mesh.points.size(), mesh.hexahedra).is_singular;
-  return std::find(is_singular.begin(), is_singular.end(), char(true)) == is_singular.end();
-}
+bool is_manifold(const Voxel_grid& grid) { return test::has_manifold_boundary(voxel_hexahedra(grid)); }
 
 std::size_t changes(Voxel_grid& grid)
 {
@@ -49,15 +42,15 @@ TEST(Manifold_voxels, changes_one_cell_at_an_edge_and_no_more_than_two_at_a_vert
 {
   Voxel_grid grid = empty_grid(4);
   grid.is_inside[grid.index(1, 1, 1)] = grid.is_inside[grid.index(2, 2, 1)] = true;
-  EXPECT_FALSE(has_manifold_boundary(grid));
+  EXPECT_FALSE(is_manifold(grid));
   EXPECT_EQ(changes(grid), 1u);
-  EXPECT_TRUE(has_manifold_boundary(grid));
+  EXPECT_TRUE(is_manifold(grid));
 
   grid = empty_grid(4);
   grid.is_inside[grid.index(1, 1, 1)] = grid.is_inside[grid.index(2, 2, 2)] = true;
-  EXPECT_FALSE(has_manifold_boundary(grid));
+  EXPECT_FALSE(is_manifold(grid));
   EXPECT_LE(changes(grid), 2u);
-  EXPECT_TRUE(has_manifold_boundary(grid));
+  EXPECT_TRUE(is_manifold(grid));
 }
 
 TEST(Manifold_voxels, makes_the_cheaper_change)
@@ -79,7 +72,7 @@ TEST(Manifold_voxels, ends_with_a_manifold_from_any_cells)
       if (grid.is_in_box(cell))
         grid.is_inside[cell] = int(random() % 10) < density;
     changes(grid);
-    EXPECT_TRUE(has_manifold_boundary(grid)) << density;
+    EXPECT_TRUE(is_manifold(grid)) << density;
   }
 }
 

@@ -86,8 +86,9 @@ TEST(insert_layers, end_on_faces_that_are_not_marked)
 
 TEST(insert_layers, on_both_sides_of_a_face_within)
 {
-  Hexahedra mesh = hexahedra_of(Generated_mesh(
-    [](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_block(p, h, {{2, 1, 1}}); }));
+  Hexahedra mesh = hexahedra_of(Generated_mesh([](auto& p, auto& h) {
+    CGAL::Hex_mesh_optimization::make_block(p, h, {{2, 1, 1}});
+  }));
   const std::vector<std::ptrdiff_t> opposite = opposite_sides(mesh);
   std::vector<char> is_marked;
   for (std::ptrdiff_t side : opposite)

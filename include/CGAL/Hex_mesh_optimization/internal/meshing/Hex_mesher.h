@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,7 @@ public:
     double h = solved([&](double s) { return volume() / (s * s * s) + larger * area() / (s * s); });
     measure_walls(h);
     h = thin_spacing(h);
+    double best = h, miss_of_best = std::numeric_limits<double>::infinity();
     for (int attempt = 0; attempt < parameters.most_attempts; ++attempt) {
       Voxel_grid grid = solid_voxels(surface_, walls_, h);
       resolve(grid, h);
@@ -62,8 +64,14 @@ public:
       if (is_refined_) // for the topology: there are as many as it takes
         break;
       const double ratio = double(mesh.hexahedra.size()) / wanted_;
+      if (std::abs(std::log(ratio)) < miss_of_best) {
+        miss_of_best = std::abs(std::log(ratio));
+        best = h;
+      }
       if (std::abs(ratio - 1) <= parameters.number_tolerance)
         break;
+      if (attempt + 1 == parameters.most_attempts && best != h)
+        make(solid_voxels(surface_, walls_, best), best);
       h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
     }
   }
