@@ -179,8 +179,8 @@ HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher
     for (std::size_t v : read_vertices(o.frozen, mesh.points.size()))
       frozen.insert(mesh.merged_into.empty() ? v : mesh.merged_into[v]);
   const auto np = CGAL::parameters::features_angle_bound(o.features_angle)
-                    .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
-                      [&](std::size_t h) { return labels.number(h); }))
+                    .hexahedron_label_map(
+                      boost::make_function_property_map<std::size_t>([&](std::size_t h) { return labels.number(h); }))
                     .internal_faces(labelled_faces(mesh.attachments))
                     .fixed_boundary(o.fixed_boundary)
                     .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE

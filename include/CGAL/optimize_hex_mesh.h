@@ -58,7 +58,8 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
   Positions after = before;
   Optimization_parameters parameters = optimization_parameters(np, keys);
   parameters.is_parallel = is_parallel;
-  Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, frozen_vertices(np, keys), parameters);
+  Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, frozen_vertices(np, keys),
+                             parameters);
   // points may allocate memory: all of them are made before the first is assigned
   using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   std::vector<std::pair<std::size_t, Point>> moved;
@@ -79,7 +80,8 @@ Status optimize_ranges(PointRange& points, const HexahedronRange& hexahedra, con
   std::vector<std::size_t> indices(hexahedra.size());
   std::iota(indices.begin(), indices.end(), std::size_t(0));
   return optimize<ConcurrencyTag>(
-    points, hexahedra, keys, regions(np, indices), reference, np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
+    points, hexahedra, keys, regions(np, indices), reference,
+    np, [&](std::size_t v) -> auto& { return *(std::begin(points) + v); });
 }
 
 template <class ConcurrencyTag, class LCC, class NamedParameters>

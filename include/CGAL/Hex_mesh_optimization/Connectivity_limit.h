@@ -21,8 +21,8 @@ enum class Connectivity_limit_reason {
   FLAT_CURVE,      ///< Two edges at one of its corners continue each other along a feature curve: limit 0.
   INTERIOR_EDGE,   ///< An interior edge has `n` hexahedra around it, not 4: limit sin(360°/`n`), and 0 for `n` < 3.
   INTERIOR_VERTEX, ///< An interior vertex has `n` hexahedra around it, not 8: the limit is that of `n` equal corners.
-  CURVE_VERTEX, ///< A vertex on a feature curve has `n` > 2 boundary faces on one side of it: limit sin(180°/`n`).
-  SMOOTH_EDGE, ///< A boundary edge within the smooth surface has `n` > 2 hexahedra: limit sin(180°/`n`).
+  CURVE_VERTEX,    ///< A vertex on a feature curve has `n` > 2 boundary faces on one side of it: limit sin(180°/`n`).
+  SMOOTH_EDGE,     ///< A boundary edge within the smooth surface has `n` > 2 hexahedra: limit sin(180°/`n`).
   SMOOTH_VERTEX ///< A vertex on the smooth surface has `n` ≠ 4 boundary faces: limit sin(360°/`n`), and 0 for `n` < 3.
 };
 

@@ -16,7 +16,7 @@ namespace CGAL::Hex_mesh_optimization {
 enum class Method {
   FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
   RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
-  MAXIMIZATION ///< Quality maximization alone, after the removal of inverted hexahedra: for nearly valid meshes.
+  MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for nearly valid meshes.
 };
 
 /*!

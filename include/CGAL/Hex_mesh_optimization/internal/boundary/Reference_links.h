@@ -154,7 +154,8 @@ private:
     }
     if (double(triangles.size()) > most_fast_triangles * double(known_->triangles.size()))
       return false;
-    fast_ = triangles.empty() ? nullptr : std::make_unique<Triangle_surface>(points, std::move(triangles), std::move(sheets));
+    fast_ = triangles.empty() ? nullptr
+                              : std::make_unique<Triangle_surface>(points, std::move(triangles), std::move(sheets));
     return true;
   }
 

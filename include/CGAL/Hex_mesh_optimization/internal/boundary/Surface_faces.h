@@ -70,8 +70,8 @@ inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, b
   faces.labels.erase(std::unique(faces.labels.begin(), faces.labels.end()), faces.labels.end());
   if (faces.labels.size() > 1)
     for (const std::array<int, 2>& l : labels)
-      faces.sheets.push_back(static_cast<int>(std::lower_bound(faces.labels.begin(), faces.labels.end(), l) -
-                                              faces.labels.begin()));
+      faces.sheets.push_back(
+        static_cast<int>(std::lower_bound(faces.labels.begin(), faces.labels.end(), l) - faces.labels.begin()));
 
   std::vector<std::array<int, 3>> sides; // edge, sheet, face, without those that follow another one in both
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)

@@ -28,10 +28,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 //
 // Where n such angles sum up to half_turns · 180°, the least of their sines is at most the mean of the sines, which is
 // at most the sine of the mean angle, as the sine is concave. With n ≤ half_turns, some angle is 180° or more.
-inline double largest_sine(int half_turns, int n)
-{
-  return n <= half_turns ? 0 : std::sin(CGAL_PI * half_turns / n);
-}
+inline double largest_sine(int half_turns, int n) { return n <= half_turns ? 0 : std::sin(CGAL_PI * half_turns / n); }
 
 // The largest determinant of three unit vectors that span a solid angle. While two of them and the solid angle are
 // kept, the third one moves on a circle that is symmetric to both (Lexell), and the determinant grows with its height
@@ -121,7 +118,8 @@ private:
           if (n != 4 && (a != Vertex_kind::FIXED || b != Vertex_kind::FIXED))
             limit(static_cast<int>(h), Connectivity_limit_reason::INTERIOR_EDGE, largest_sine(2, n));
         }
-        else if (n != 2 && !is_singular[e] && attachment_.curve_of_edge[e] < 0 && (is_on_smooth_patch(a) || is_on_smooth_patch(b)))
+        else if (n != 2 && !is_singular[e] && attachment_.curve_of_edge[e] < 0 &&
+                 (is_on_smooth_patch(a) || is_on_smooth_patch(b)))
           limit(static_cast<int>(h),
                 n == 1 ? Connectivity_limit_reason::FLAT_EDGE : Connectivity_limit_reason::SMOOTH_EDGE,
                 largest_sine(1, n));

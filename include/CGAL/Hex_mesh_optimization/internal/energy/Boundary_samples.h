@@ -116,9 +116,8 @@ public:
     , maximum_deviation_(maximum_deviation)
     , tolerance_(trusted ? parameters.tolerance : std::numeric_limits<double>::infinity())
     , faces_(faces)
-    , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(), [](const std::array<int, 2>& labels) {
-      return labels[1] != Surface_faces::no_label;
-    }))
+    , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(),
+                                 [](const std::array<int, 2>& labels) { return labels[1] != Surface_faces::no_label; }))
     , attachment_(attachment)
     , scale_(mean_lengths(complex, faces_, lengths))
     , own_count_(add_samples(complex))
@@ -199,8 +198,8 @@ public:
     });
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (leaves[i])
-        for (int h : {complex.boundary_faces[samples_[i].face].hexahedron,
-                      complex.boundary_faces[samples_[i].face].beyond})
+        for (int h :
+             {complex.boundary_faces[samples_[i].face].hexahedron, complex.boundary_faces[samples_[i].face].beyond})
           if (h >= 0)
             is_leaving[h] = true;
   }

@@ -41,8 +41,8 @@ class Hex_mesh_optimizer
 public:
   // Everything that can be wrong with the input is refused here, by Input_error.
   // reference: null when the boundary of the mesh is its own reference, as what is between regions always is.
-  Hex_mesh_optimizer(const Positions& points, const std::vector<Hexahedron>& hexahedra,
-                     const Regions& regions, const Reference_input* reference, const std::vector<char>& is_frozen,
+  Hex_mesh_optimizer(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions,
+                     const Reference_input* reference, const std::vector<char>& is_frozen,
                      const Optimization_parameters& parameters)
     : parameters_(parameters)
     , control_(parameters.maximum_running_time, parameters.on_iteration)
@@ -192,8 +192,8 @@ private:
   Boundary_samples& boundary_samples()
   {
     if (!samples_)
-      samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment,
-                       model_.lengths, model_.reference_is_given, parameters_.maximum_deviation / model_.unit,
+      samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment, model_.lengths,
+                       model_.reference_is_given, parameters_.maximum_deviation / model_.unit,
                        parameters_.boundary.samples);
     return *samples_;
   }

@@ -196,7 +196,8 @@ private:
 
   Boundary_attachment attached(const std::vector<char>& is_frozen, bool fixed_boundary) const
   {
-    Boundary_attachment result = reference_is_given ? attached_to_given() : attach_to_own_boundary(mesh.complex, *surface);
+    Boundary_attachment result = reference_is_given ? attached_to_given()
+                                                    : attach_to_own_boundary(mesh.complex, *surface);
     result.set_sheets(faces);
     const std::vector<char> frozen = mesh.order.ordered(is_frozen), outside = vertices_outside();
     for (std::size_t v = 0; v < frozen.size(); ++v)

@@ -74,7 +74,8 @@ public:
     }
     for (std::size_t s = 0; s < model_.faces.labels.size(); ++s)
       if (model_.faces.labels[s][1] != Surface_faces::no_label)
-        status.interfaces.push_back({model_.faces.labels[s], model_.faces.size_of_sheet(static_cast<int>(s)), measured.of_sheet[s]});
+        status.interfaces.push_back(
+          {model_.faces.labels[s], model_.faces.size_of_sheet(static_cast<int>(s)), measured.of_sheet[s]});
     status.volume_after = measure_volumes(positions_, &Region_volume::after);
     for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h)
       if (hexahedron_validity(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[h])) != Validity::VALID) {
@@ -129,10 +130,10 @@ private:
       scale(d);
     result.all.bilinear = model_.unit * bilinear_excess(mesh_.complex, model_.in_units(positions));
     if (std::isfinite(parameters_.maximum_deviation))
-      result.all.certified = model_.unit * certified_deviation(model_.faces, model_.in_units(positions), *model_.surface,
-                                                           parameters_.maximum_deviation / model_.unit,
-                                                           parameters_.certification)
-                                         .upper_bound;
+      result.all.certified = model_.unit *
+                             certified_deviation(model_.faces, model_.in_units(positions), *model_.surface,
+                                                 parameters_.maximum_deviation / model_.unit, parameters_.certification)
+                               .upper_bound;
     return result;
   }
 
@@ -166,9 +167,9 @@ private:
         corners[k] = positions[mesh_.complex.hexahedra[h][k]];
       const double v = volume(corners);
       sum += v;
-      const auto region =
-        std::lower_bound(status.regions.begin(), status.regions.end(), mesh_.complex.label(static_cast<int>(h)),
-                         [](const Region_volume& r, int label) { return r.label < label; });
+      const auto region = std::lower_bound(status.regions.begin(), status.regions.end(),
+                                           mesh_.complex.label(static_cast<int>(h)),
+                                           [](const Region_volume& r, int label) { return r.label < label; });
       (*region).*of_region += v;
     }
     return sum;

@@ -226,7 +226,7 @@ private:
   Hexahedra_energy hexahedra_;
   Boundary_energy boundary_;
   Sliding& sliding_;
-  std::vector<double> lengths_; // targets of the edges
+  std::vector<double> lengths_;        // targets of the edges
   double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
 };
 

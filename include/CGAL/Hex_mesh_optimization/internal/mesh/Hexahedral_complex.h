@@ -85,7 +85,7 @@ public:
   std::vector<std::array<int, 2>> edges;                          // sorted; the smaller index first
   std::vector<std::array<int, 12>> hexahedron_edges;              // directed edges, in the order of the table
   std::vector<std::array<std::pair<int, int>, 2>> interior_faces; // (hexahedron, local face) of either side
-  std::vector<Boundary_face> boundary_faces; // those with nothing beyond first
+  std::vector<Boundary_face> boundary_faces;                      // those with nothing beyond first
   std::vector<Boundary_edge> boundary_edges;
   std::vector<char> is_singular;      // of a vertex: around it the boundary is not one disk
   std::vector<char> is_on_boundary;   // of a vertex
@@ -235,8 +235,7 @@ private:
   void orient_faces_within_regions()
   {
     const auto is_within = [&](int f) {
-      return boundary_faces[f].beyond >= 0 &&
-             label(boundary_faces[f].hexahedron) == label(boundary_faces[f].beyond);
+      return boundary_faces[f].beyond >= 0 && label(boundary_faces[f].hexahedron) == label(boundary_faces[f].beyond);
     };
     const int n = static_cast<int>(boundary_faces.size());
     int first = 0;

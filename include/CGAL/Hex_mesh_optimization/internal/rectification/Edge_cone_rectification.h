@@ -40,9 +40,9 @@ public:
   // Positions are in units of the mean boundary edge; lengths are the targets. faces: of the complex, with the sheets of
   // the surface
   Edge_cone_rectification(const Hexahedral_complex& complex, const Edge_relations& relations,
-                          const Surface_faces& faces, const Reference_surface& surface, const Boundary_attachment& attachment,
-                          const std::vector<char>& is_fixed, std::vector<double> lengths,
-                          const Rectification_parameters& parameters)
+                          const Surface_faces& faces, const Reference_surface& surface,
+                          const Boundary_attachment& attachment, const std::vector<char>& is_fixed,
+                          std::vector<double> lengths, const Rectification_parameters& parameters)
     : complex_(complex)
     , surface_(surface)
     , attachment_(attachment)

@@ -42,8 +42,7 @@ public:
   // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise. sheets: as for
   // Triangle_surface. singular: vertices that are corners, whether or not curves meet there.
   Reference_surface(Positions points, std::vector<Triangle_indices> triangles, Edge_list sharp, bool keep_all,
-                    const Feature_parameters& parameters, std::vector<int> sheets = {},
-                    std::vector<int> singular = {})
+                    const Feature_parameters& parameters, std::vector<int> sheets = {}, std::vector<int> singular = {})
     : Reference_surface(points, std::move(triangles), std::move(sheets), std::move(singular),
                         Feature_curve_tracer(points, triangles, std::move(sharp), keep_all, parameters))
   {}
