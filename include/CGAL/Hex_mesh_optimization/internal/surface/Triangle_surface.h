@@ -41,7 +41,9 @@ public:
     for (std::size_t t = 0; t < this->triangles.size(); ++t)
       if (has_area(this->points, this->triangles[t]))
         index_.push_back(t);
-    std::stable_sort(index_.begin(), index_.end(), [&](std::size_t a, std::size_t b) { return sheet(a) < sheet(b); });
+    if (!this->sheets.empty())
+      std::sort(index_.begin(), index_.end(),
+                [&](std::size_t a, std::size_t b) { return sheet(a) < sheet(b) || (sheet(a) == sheet(b) && a < b); });
     soup_.reserve(index_.size());
     for (std::size_t t : index_)
       soup_.push_back(triangle(this->points, this->triangles[t]));

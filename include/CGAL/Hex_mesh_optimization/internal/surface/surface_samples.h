@@ -43,8 +43,10 @@ inline std::vector<std::size_t> triangles_by_sheets(const Triangle_surface& surf
 {
   std::vector<std::size_t> order(surface.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return surface.sheet(a) < surface.sheet(b); });
+  if (!surface.sheets.empty())
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return surface.sheet(a) < surface.sheet(b) || (surface.sheet(a) == surface.sheet(b) && a < b);
+    });
   return order;
 }
 
