@@ -39,23 +39,15 @@ const char* const exit_codes =
   "  2  wrong usage; nothing is written\n"
   "  3  a file cannot be read, used or written, SURFACE bounds no volume, or memory is short; OUTPUT is not written";
 
-struct Options
+struct Options : Common_options
 {
-  const HMO::internal::Meshing_parameters defaults;
-  const HMO::internal::Optimization_parameters of_optimization;
+  const HMO::internal::Meshing_parameters of_meshing;
 
-  std::string surface, output, json;
-  std::size_t cells = defaults.number_of_hexahedra;
-  double spacing = defaults.spacing;
-  std::size_t across = defaults.cells_across;
+  std::string surface;
+  std::size_t cells = of_meshing.number_of_hexahedra;
+  double spacing = of_meshing.spacing;
+  std::size_t across = of_meshing.cells_across;
   bool repair = false;
-  double features_angle = defaults.features.angle_bound;
-  bool on_surface = of_optimization.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
-  double target_quality = of_optimization.target_quality;
-  double maximum_deviation = of_optimization.maximum_deviation;
-  double time_limit = of_optimization.maximum_running_time;
-  int threads = 1;
-  bool quiet = false;
 };
 
 void add_options(CLI::App& app, Options& o)
@@ -80,44 +72,23 @@ void add_options(CLI::App& app, Options& o)
     ->capture_default_str();
   app.add_flag("--repair", o.repair,
                "mend a surface that is open, intersects itself or is not oriented, where that is possible");
-  app
-    .add_option("--features-angle", o.features_angle,
-                "an edge is sharp if the normals beside it differ by more than this")
-    ->type_name("DEGREES")
-    ->check(CLI::Range(0., 180.).description(""))
-    ->capture_default_str();
-  app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the surface exactly");
   add_common_options(app, o);
 }
 
 Json json(const Options& o)
 {
-  return {{"surface", o.surface},
-          {"output", o.output},
-          {"cells", o.spacing > 0 ? Json() : Json(o.cells)},
-          {"spacing", o.spacing > 0 ? Json(o.spacing) : Json()},
-          {"across", o.across},
-          {"repair", o.repair},
-          {"features_angle", o.features_angle},
-          {"on_surface", o.on_surface},
-          {"target_quality", o.target_quality},
-          {"maximum_deviation", o.maximum_deviation},
-          {"time_limit", o.time_limit},
-          {"threads", o.threads}};
+  return with_common_options({{"surface", o.surface},
+                              {"cells", o.spacing > 0 ? Json() : Json(o.cells)},
+                              {"spacing", o.spacing > 0 ? Json(o.spacing) : Json()},
+                              {"across", o.across},
+                              {"repair", o.repair}},
+                             o);
 }
 
 HMO::Meshing_status make(const Surface& surface, const Options& o, Mesh& mesh, Watcher& watcher)
 {
-  const auto np = CGAL::parameters::number_of_hexahedra(o.cells)
-                    .grid_spacing(o.spacing)
-                    .cells_across(o.across)
-                    .features_angle_bound(o.features_angle)
-                    .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE
-                                                     : HMO::Boundary_placement::WITHIN_TOLERANCE)
-                    .target_quality(o.target_quality)
-                    .maximum_deviation(o.maximum_deviation)
-                    .maximum_running_time(o.time_limit)
-                    .visitor(std::ref(watcher));
+  const auto np =
+    common_parameters(o, watcher).number_of_hexahedra(o.cells).grid_spacing(o.spacing).cells_across(o.across);
   return in_threads(o.threads, [&] {
     return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface, mesh.points, mesh.hexahedra, np);
   });

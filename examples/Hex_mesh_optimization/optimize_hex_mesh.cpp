@@ -39,24 +39,15 @@ const char* const exit_codes =
   "  2  wrong usage; nothing is written\n"
   "  3  a file cannot be read, used or written, or memory is short; OUTPUT is not written";
 
-struct Options
+struct Options : Common_options
 {
-  const HMO::internal::Optimization_parameters defaults;
-
-  std::string input, output, reference, frozen, label_array, json;
-  double features_angle = defaults.features.angle_bound;
+  std::string input, reference, frozen, label_array;
   bool merge = false;
   bool fixed_boundary = defaults.fixed_boundary;
-  bool on_surface = defaults.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
   std::string method = "full";
   std::string edge_lengths = "estimated";
   std::size_t iterations = defaults.rectification.iterations;
   std::size_t restarts = defaults.rectification.restarts;
-  double maximum_deviation = defaults.maximum_deviation;
-  double time_limit = defaults.maximum_running_time;
-  double target_quality = defaults.target_quality;
-  int threads = 1;
-  bool quiet = false;
 };
 
 void add_options(CLI::App& app, Options& o)
@@ -69,12 +60,6 @@ void add_options(CLI::App& app, Options& o)
   app
     .add_option("--reference", o.reference, "the surface that the boundary represents (default: the boundary as it is)")
     ->type_name("SURFACE");
-  app
-    .add_option("--features-angle", o.features_angle,
-                "an edge is sharp if the normals beside it differ by more than this")
-    ->type_name("DEGREES")
-    ->check(CLI::Range(0., 180.).description(""))
-    ->capture_default_str();
   app.add_flag("--merge", o.merge,
                "hexahedra whose faces coincide are neighbors, though their vertices are not the same");
   app
@@ -82,7 +67,6 @@ void add_options(CLI::App& app, Options& o)
                 "the cell array of a .vtk or .vtu file with the labels of the hexahedra (default: by its name)")
     ->type_name("NAME");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
-  app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the reference exactly");
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
     ->type_name("FILE");
   app
@@ -178,13 +162,11 @@ HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher
   if (!o.frozen.empty())
     for (std::size_t v : read_vertices(o.frozen, mesh.points.size()))
       frozen.insert(mesh.merged_into.empty() ? v : mesh.merged_into[v]);
-  const auto np = CGAL::parameters::features_angle_bound(o.features_angle)
+  const auto np = common_parameters(o, watcher)
                     .hexahedron_label_map(
                       boost::make_function_property_map<std::size_t>([&](std::size_t h) { return labels.number(h); }))
                     .internal_faces(labelled_faces(mesh.attachments))
                     .fixed_boundary(o.fixed_boundary)
-                    .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE
-                                                     : HMO::Boundary_placement::WITHIN_TOLERANCE)
                     .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
                     .optimization_method(o.method == "full"            ? HMO::Method::FULL
                                          : o.method == "rectification" ? HMO::Method::RECTIFICATION
@@ -192,11 +174,7 @@ HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher
                     .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
                                                                    : HMO::Target_edge_lengths::ESTIMATED)
                     .number_of_iterations(o.iterations)
-                    .number_of_restarts(o.restarts)
-                    .target_quality(o.target_quality)
-                    .maximum_deviation(o.maximum_deviation)
-                    .maximum_running_time(o.time_limit)
-                    .visitor(std::ref(watcher));
+                    .number_of_restarts(o.restarts);
   Surface_mesh reference;
   if (!o.reference.empty())
     CGAL::IO::read_surface(o.reference, reference);
@@ -207,26 +185,19 @@ HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher
   });
 }
 
-// Numbers that are not finite become null.
 Json json(const Options& o)
 {
-  return {{"input", o.input},
-          {"output", o.output},
-          {"reference", o.reference.empty() ? Json() : Json(o.reference)},
-          {"features_angle", o.features_angle},
-          {"merge", o.merge},
-          {"label_array", o.label_array.empty() ? Json() : Json(o.label_array)},
-          {"fixed_boundary", o.fixed_boundary},
-          {"on_surface", o.on_surface},
-          {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
-          {"method", o.method},
-          {"edge_lengths", o.edge_lengths},
-          {"iterations", o.iterations},
-          {"restarts", o.restarts},
-          {"target_quality", o.target_quality},
-          {"maximum_deviation", o.maximum_deviation},
-          {"time_limit", o.time_limit},
-          {"threads", o.threads}};
+  return with_common_options({{"input", o.input},
+                              {"reference", o.reference.empty() ? Json() : Json(o.reference)},
+                              {"merge", o.merge},
+                              {"label_array", o.label_array.empty() ? Json() : Json(o.label_array)},
+                              {"fixed_boundary", o.fixed_boundary},
+                              {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
+                              {"method", o.method},
+                              {"edge_lengths", o.edge_lengths},
+                              {"iterations", o.iterations},
+                              {"restarts", o.restarts}},
+                             o);
 }
 
 Exit_code run(const Options& options)

@@ -10,6 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
+#include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -31,6 +32,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -51,10 +53,30 @@ using Json = nlohmann::ordered_json;
 
 enum Exit_code { ALL_IS_MET = 0, SOMETHING_IS_NOT_MET = 1, USAGE_ERROR = 2, UNUSABLE_FILE = 3 };
 
-// Of the optimization, which all programs that optimize have.
-template <class Options>
-void add_common_options(CLI::App& app, Options& o)
+// Of the optimization, which all programs have.
+struct Common_options
 {
+  const HMO::internal::Optimization_parameters defaults;
+
+  std::string output, json;
+  double features_angle = defaults.features.angle_bound;
+  bool on_surface = defaults.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
+  double target_quality = defaults.target_quality;
+  double maximum_deviation = defaults.maximum_deviation;
+  double time_limit = defaults.maximum_running_time;
+  int threads = 1;
+  bool quiet = false;
+};
+
+inline void add_common_options(CLI::App& app, Common_options& o)
+{
+  app
+    .add_option("--features-angle", o.features_angle,
+                "an edge is sharp if the normals beside it differ by more than this")
+    ->type_name("DEGREES")
+    ->check(CLI::Range(0., 180.).description(""))
+    ->capture_default_str();
+  app.add_flag("--on-surface", o.on_surface, "keep every vertex of the boundary on the surface exactly");
   app
     .add_option("--target-quality", o.target_quality,
                 "stop once the mesh is valid and its minimum scaled Jacobian this good")
@@ -73,6 +95,19 @@ void add_common_options(CLI::App& app, Options& o)
     ->capture_default_str();
   app.add_option("--json", o.json, "write the report, with every iteration, to this file")->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "print nothing but errors");
+}
+
+// Adds them to those of one program. Numbers that are not finite become null.
+inline Json with_common_options(Json of_program, const Common_options& o)
+{
+  of_program.update(Json{{"output", o.output},
+                         {"features_angle", o.features_angle},
+                         {"on_surface", o.on_surface},
+                         {"target_quality", o.target_quality},
+                         {"maximum_deviation", o.maximum_deviation},
+                         {"time_limit", o.time_limit},
+                         {"threads", o.threads}});
+  return of_program;
 }
 
 inline volatile std::sig_atomic_t is_interrupted = 0;
@@ -128,6 +163,17 @@ private:
   double next_ = 0; // seconds
   std::vector<HMO::Iteration> iterations_;
 };
+
+// The named parameters of the optimization.
+inline auto common_parameters(const Common_options& o, Watcher& watcher)
+{
+  return CGAL::parameters::features_angle_bound(o.features_angle)
+    .boundary_placement(o.on_surface ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE)
+    .target_quality(o.target_quality)
+    .maximum_deviation(o.maximum_deviation)
+    .maximum_running_time(o.time_limit)
+    .visitor(std::ref(watcher));
+}
 
 struct Mesh
 {

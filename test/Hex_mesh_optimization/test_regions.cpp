@@ -41,20 +41,9 @@ using HMO::Status;
 using Point = Indexed_mesh::Point;
 using Surface_mesh = CGAL::Surface_mesh<Point>;
 
-// A vector as a property map of its indices
-struct Labels
-{
-  using key_type = std::size_t;
-  using value_type = int;
-  using reference = int;
-  using category = boost::readable_property_map_tag;
-  const std::vector<int>* labels;
-  friend int get(const Labels& map, std::size_t h) { return (*map.labels)[h]; }
-};
-
 auto regions_of(const Labelled_mesh& mesh)
 {
-  return params::hexahedron_label_map(Labels{&mesh.labels}).internal_faces(mesh.internal_faces);
+  return params::hexahedron_label_map(CGAL::make_property_map(mesh.labels)).internal_faces(mesh.internal_faces);
 }
 
 Status optimize(Labelled_mesh& mesh)

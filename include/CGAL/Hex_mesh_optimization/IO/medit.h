@@ -53,9 +53,7 @@ void read_medit_hex_mesh(const std::string& filename, PointRange& points, Hexahe
                          Hex_mesh_attachments& attachments)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::Mesh_file_content content = io::Medit_reader(filename, io::Wanted_cells::HEXAHEDRA).read();
-  io::copy_hex_mesh(content, points, hexahedra);
-  attachments = std::move(content.attachments);
+  io::read_hex_mesh_with<io::Medit_reader>(filename, points, hexahedra, attachments);
 }
 
 /*!

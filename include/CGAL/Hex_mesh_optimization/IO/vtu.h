@@ -59,9 +59,7 @@ void read_vtu_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
                        Hex_mesh_attachments& attachments)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::Mesh_file_content content = io::Vtu_reader(filename, io::Wanted_cells::HEXAHEDRA).read();
-  io::copy_hex_mesh(content, points, hexahedra);
-  attachments = std::move(content.attachments);
+  io::read_hex_mesh_with<io::Vtu_reader>(filename, points, hexahedra, attachments);
 }
 
 /*!

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -54,6 +55,16 @@ void copy_hex_mesh(const Mesh_file_content& content, PointRange& points, Hexahed
       hexahedron[c] = static_cast<Index>(h[c]);
     hexahedra.push_back(std::move(hexahedron));
   }
+}
+
+// Reader: of files with hexahedra and attachments
+template <class Reader, class PointRange, class HexahedronRange>
+void read_hex_mesh_with(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
+                        CGAL::IO::Hex_mesh_attachments& attachments)
+{
+  Mesh_file_content content = Reader(filename, Wanted_cells::HEXAHEDRA).read();
+  copy_hex_mesh(content, points, hexahedra);
+  attachments = std::move(content.attachments);
 }
 
 template <class Point>

@@ -77,15 +77,11 @@ inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, b
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
     if (e.right >= 0)
       sides.push_back({e.edge, faces.sheet(e.left), e.left});
-  const std::size_t manifold = sides.size();
-  if (manifold < complex.boundary_edges.size()) {
-    std::vector<char> is_singular(complex.edges.size(), false);
-    for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
-      is_singular[e.edge] = e.right < 0;
+  if (sides.size() < complex.boundary_edges.size()) {
     for (std::size_t f = 0; f < faces.quads.size(); ++f)
       for (int k = 0; k < 4; ++k) {
         const int e = complex.find_edge(faces.quads[f][k], faces.quads[f][(k + 1) % 4]) / 2;
-        if (is_singular[e])
+        if (complex.is_singular_edge[e])
           sides.push_back({e, faces.sheet(static_cast<int>(f)), static_cast<int>(f)});
       }
     std::sort(sides.begin(), sides.end());

@@ -104,12 +104,10 @@ private:
         ++count[directed / 2];
     // of an edge between regions that has hexahedra all around only this is known, of one where the boundary is no
     // manifold nothing
-    std::vector<char> is_outside(complex_.edges.size(), false), is_singular(complex_.edges.size(), false);
+    std::vector<char> is_outside(complex_.edges.size(), false);
     for (const Hexahedral_complex::Boundary_face& f : complex_.boundary_faces)
       for (int k = 0; k < 4 && f.beyond < 0; ++k)
         is_outside[complex_.find_edge(f.vertices[k], f.vertices[(k + 1) % 4]) / 2] = true;
-    for (const Hexahedral_complex::Boundary_edge& e : complex_.boundary_edges)
-      is_singular[e.edge] = e.right < 0;
     for (std::size_t h = 0; h < complex_.hexahedra.size(); ++h)
       for (int directed : complex_.hexahedron_edges[h]) {
         const int e = directed / 2, n = count[e];
@@ -118,7 +116,7 @@ private:
           if (n != 4 && (a != Vertex_kind::FIXED || b != Vertex_kind::FIXED))
             limit(static_cast<int>(h), Connectivity_limit_reason::INTERIOR_EDGE, largest_sine(2, n));
         }
-        else if (n != 2 && !is_singular[e] && attachment_.curve_of_edge[e] < 0 &&
+        else if (n != 2 && !complex_.is_singular_edge[e] && attachment_.curve_of_edge[e] < 0 &&
                  (is_on_smooth_patch(a) || is_on_smooth_patch(b)))
           limit(static_cast<int>(h),
                 n == 1 ? Connectivity_limit_reason::FLAT_EDGE : Connectivity_limit_reason::SMOOTH_EDGE,

@@ -44,7 +44,8 @@ struct Boundary_sample_parameters
   double reference_spacing = .8;
   // Factor for features.
   double feature_weight = 4.6;
-  // Bound of the distances of interfaces, in local edge lengths.
+  // Bound of the distances of interfaces, in local edge lengths: between the samples it may be somewhat more, and a
+  // tenth is what an interface may be off.
   double interface_deviation = .08;
   // Samples keep their targets until they have moved this far, in local edge lengths.
   double still_distance = .02;
@@ -341,13 +342,7 @@ private:
                                       : maximum_deviation_);
   }
 
-  double tolerated(const Boundary_sample& s) const { return (std::min)(bound_of(s), tolerance_of(s)); }
-
-  // Where a bound is asked for, it is what counts.
-  double tolerance_of(const Boundary_sample& s) const
-  {
-    return std::isfinite(maximum_deviation_) ? maximum_deviation_ : tolerance_ * s.scale;
-  }
+  double tolerated(const Boundary_sample& s) const { return is_bounded(s.face) ? bound_of(s) : tolerance_ * s.scale; }
 
   void bound(const Positions& points, double tightness)
   {

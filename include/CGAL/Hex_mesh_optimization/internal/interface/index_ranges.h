@@ -14,6 +14,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -30,6 +31,19 @@ template <class T, class Tag, class Base>
 struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
 {};
 
+// The indices of a cell of n vertices; what cannot be one becomes -1.
+template <std::size_t n, class IndexRange>
+std::array<int, n> engine_indices(const IndexRange& indices)
+{
+  std::array<int, n> result;
+  auto given = std::begin(indices);
+  for (int& i : result) {
+    const auto index = static_cast<unsigned long long>(*given++); // negative ones become huge
+    i = index > 0x7fffffffull ? -1 : static_cast<int>(index);
+  }
+  return result;
+}
+
 template <class HexahedronRange>
 std::vector<Hexahedron> engine_hexahedra(const HexahedronRange& hexahedra)
 {
@@ -41,13 +55,7 @@ std::vector<Hexahedron> engine_hexahedra(const HexahedronRange& hexahedra)
       throw Input_error(Input_error::Element::HEXAHEDRON, result.size(),
                         "cell " + std::to_string(result.size()) + " has " + std::to_string(count) +
                           " vertices: it is not a hexahedron");
-    Hexahedron hexahedron;
-    auto corner = std::begin(h);
-    for (int& v : hexahedron) {
-      const auto index = static_cast<unsigned long long>(*corner++); // negative ones become huge
-      v = index > 0x7fffffffull ? -1 : static_cast<int>(index);
-    }
-    result.push_back(hexahedron);
+    result.push_back(engine_indices<8>(h));
   }
   return result;
 }

@@ -9,12 +9,12 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -131,13 +131,7 @@ Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
         throw Input_error(Input_error::Element::PARAMETER, result.faces.size(),
                           "internal face " + std::to_string(result.faces.size()) + " has " + std::to_string(count) +
                             " vertices");
-      std::array<int, 4> vertices;
-      auto v = std::begin(face);
-      for (int& corner : vertices) {
-        const auto index = static_cast<unsigned long long>(*v++); // negative ones become huge
-        corner = index > 0x7fffffffull ? -1 : static_cast<int>(index);
-      }
-      result.faces.push_back(vertices);
+      result.faces.push_back(engine_indices<4>(face));
     }
   return result;
 }

@@ -7,7 +7,6 @@
 // Which hexahedra share faces, whatever their orientation: what can be known
 // of a mesh before it is known to be sound.
 
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <algorithm>
@@ -56,6 +55,21 @@ public:
   // The other side of the face; ALONE on the boundary; UNSOUND where three hexahedra meet, or two that share four
   // vertices and no face: Hexahedral_complex refuses them.
   int opposite(int side) const { return opposite_[side]; }
+
+  // All sides with the vertices of this one, in increasing order. O(hexahedra): to say what is wrong.
+  std::vector<int> sides_with_vertices_of(int side) const
+  {
+    std::array<int, 4> key = vertices(side);
+    std::sort(key.begin(), key.end());
+    std::vector<int> result;
+    for (int other = 0; other < number_of_sides(); ++other) {
+      std::array<int, 4> of_other = vertices(other);
+      std::sort(of_other.begin(), of_other.end());
+      if (of_other == key)
+        result.push_back(other);
+    }
+    return result;
+  }
 
   // Whether the two hexahedra of a face agree which is its outer side: both run around it in opposite directions.
   bool is_agreed(int side) const { return turn(side, opposite_[side]) < 0; }

@@ -12,6 +12,7 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <algorithm>
@@ -23,8 +24,6 @@
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-using Hexahedron = std::array<int, 8>;
 
 // What divides a mesh.
 struct Regions
@@ -90,6 +89,7 @@ public:
   std::vector<char> is_singular;      // of a vertex: around it the boundary is not one disk
   std::vector<char> is_on_boundary;   // of a vertex
   std::vector<char> is_boundary_edge; // of an edge
+  std::vector<char> is_singular_edge; // of an edge of the boundary: it is no manifold there
   std::vector<char> is_used;          // of a vertex: has a hexahedron
   Grouped_array vertex_hexahedra, vertex_boundary_faces;
 
@@ -133,61 +133,44 @@ private:
   // listed: faces that belong to the boundary though they do not divide regions.
   void pair_faces(const std::vector<std::array<int, 4>>& listed)
   {
-    struct Keyed_face
-    {
-      Face_key key;
-      int hexahedron, face;
-      bool operator<(const Keyed_face& other) const
-      {
-        return std::tie(key, hexahedron, face) < std::tie(other.key, other.hexahedron, other.face);
-      }
-    };
-    std::vector<Keyed_face> keyed;
-    keyed.reserve(6 * hexahedra.size());
-    for (std::size_t h = 0; h < hexahedra.size(); ++h)
-      for (int f = 0; f < 6; ++f)
-        keyed.push_back({key_of(face_vertices(static_cast<int>(h), f)), static_cast<int>(h), f});
-    std::sort(keyed.begin(), keyed.end());
     std::vector<Face_key> listed_keys;
     for (const std::array<int, 4>& face : listed)
       listed_keys.push_back(key_of(face));
     std::sort(listed_keys.begin(), listed_keys.end());
-    // in the order of the hexahedra, so that nothing depends on the numbering of vertices
-    std::vector<std::pair<int, int>> alone;
-    std::vector<std::array<std::pair<int, int>, 2>> dividing;
-    for (std::size_t i = 0; i < keyed.size();) {
-      std::size_t end = i + 1;
-      while (end < keyed.size() && keyed[end].key == keyed[i].key)
-        ++end;
-      if (end - i > 2)
-        throw Input_error(Input_error::Element::HEXAHEDRON, keyed[i + 2].hexahedron,
-                          "hexahedron " + std::to_string(keyed[i + 2].hexahedron) +
-                            " is the third one on a face that hexahedra " + std::to_string(keyed[i].hexahedron) +
-                            " and " + std::to_string(keyed[i + 1].hexahedron) + " already share");
-      const std::pair<int, int> first(keyed[i].hexahedron, keyed[i].face);
-      if (end - i == 2) {
-        const std::pair<int, int> second(keyed[i + 1].hexahedron, keyed[i + 1].face);
-        interior_faces.push_back({first, second});
-        const int a = label(first.first), b = label(second.first);
-        if (a != b || std::binary_search(listed_keys.begin(), listed_keys.end(), keyed[i].key))
-          dividing.push_back(b < a ? std::array{second, first} : std::array{first, second});
+    const Face_neighbors neighbors(hexahedra);
+    std::vector<std::array<int, 2>> dividing; // sides, that of the lower label first
+    for (int side = 0; side < neighbors.number_of_sides(); ++side) {
+      const int opposite = neighbors.opposite(side);
+      if (opposite == Face_neighbors::ALONE)
+        boundary_faces.push_back({neighbors.vertices(side), side / 6, -1});
+      else if (opposite == Face_neighbors::UNSOUND || !neighbors.is_agreed(side))
+        refuse(neighbors.sides_with_vertices_of(side));
+      else if (opposite > side) {
+        interior_faces.push_back({std::make_pair(side / 6, side % 6), std::make_pair(opposite / 6, opposite % 6)});
+        const int a = label(side / 6), b = label(opposite / 6);
+        if (a != b || std::binary_search(listed_keys.begin(), listed_keys.end(), key_of(neighbors.vertices(side))))
+          dividing.push_back(b < a ? std::array{opposite, side} : std::array{side, opposite});
       }
-      else
-        alone.push_back(first);
-      i = end;
     }
-    std::sort(interior_faces.begin(), interior_faces.end());
-    std::sort(alone.begin(), alone.end());
     std::sort(dividing.begin(), dividing.end());
-    for (const auto& face : interior_faces)
-      require_opposite_orientation(face);
-    for (const auto& face : alone)
-      boundary_faces.push_back({face_vertices(face.first, face.second), face.first, -1});
-    for (const auto& sides : dividing)
-      boundary_faces.push_back({face_vertices(sides[0].first, sides[0].second), sides[0].first, sides[1].first});
+    for (const std::array<int, 2>& sides : dividing)
+      boundary_faces.push_back({neighbors.vertices(sides[0]), sides[0] / 6, sides[1] / 6});
     for (const Boundary_face& face : boundary_faces)
       for (int v : face.vertices)
         is_on_boundary[v] = true;
+  }
+
+  // sides: with the same vertices
+  [[noreturn]] static void refuse(const std::vector<int>& sides)
+  {
+    const auto hexahedron = [&](int i) { return std::to_string(sides[i] / 6); };
+    if (sides.size() > 2)
+      throw Input_error(Input_error::Element::HEXAHEDRON, sides[2] / 6,
+                        "hexahedron " + hexahedron(2) + " is the third one on a face that hexahedra " + hexahedron(0) +
+                          " and " + hexahedron(1) + " already share");
+    throw Input_error(Input_error::Element::HEXAHEDRON, sides[1] / 6,
+                      "hexahedra " + hexahedron(0) + " and " + hexahedron(1) +
+                        " share four vertices but not a face with opposite orientations");
   }
 
   struct Boundary_side
@@ -220,12 +203,14 @@ private:
   {
     orient_faces_within_regions();
     is_boundary_edge.assign(edges.size(), false);
+    is_singular_edge.assign(edges.size(), false);
     const std::vector<Boundary_side> sides = boundary_sides();
     for (std::size_t i = 0, end; i < sides.size(); i = end) {
       for (end = i + 1; end < sides.size() && sides[end].edge == sides[i].edge;)
         ++end;
       const bool is_manifold = end - i == 2 && !sides[i].is_reversed && sides[i + 1].is_reversed;
       is_boundary_edge[sides[i].edge] = true;
+      is_singular_edge[sides[i].edge] = !is_manifold;
       boundary_edges.push_back({sides[i].edge, sides[i].face, is_manifold ? sides[i + 1].face : -1});
     }
   }
@@ -314,25 +299,6 @@ private:
       } while (f != faces[0] && f >= 0 && visited <= faces.size());
       is_singular[v] = visited != faces.size();
     }
-  }
-
-  void require_opposite_orientation(const std::array<std::pair<int, int>, 2>& sides) const
-  {
-    const std::array<int, 4> a = face_vertices(sides[0].first, sides[0].second);
-    const std::array<int, 4> b = face_vertices(sides[1].first, sides[1].second);
-    const std::size_t k = std::find(b.begin(), b.end(), a[0]) - b.begin();
-    for (std::size_t i = 0; i < 4; ++i)
-      if (a[i] != b[(k + 4 - i) % 4])
-        throw Input_error(Input_error::Element::HEXAHEDRON, sides[1].first,
-                          "hexahedra " + std::to_string(sides[0].first) + " and " + std::to_string(sides[1].first) +
-                            " share four vertices but not a face with opposite orientations");
-  }
-
-  std::array<int, 4> face_vertices(int hexahedron, int face) const
-  {
-    const Hexahedron& h = hexahedra[hexahedron];
-    const auto& f = hexahedron_faces[face];
-    return {h[f[0]], h[f[1]], h[f[2]], h[f[3]]};
   }
 
 public:

@@ -7,7 +7,11 @@
 // The reference hexahedron: its corners, edges and faces in the numbering that
 // VTK and Medit share (0-3 bottom, 4-7 above them).
 
+#include <array>
+
 namespace CGAL::Hex_mesh_optimization::internal {
+
+using Hexahedron = std::array<int, 8>; // the vertices at its corners
 
 // clang-format off
 // The three edge neighbors of a corner, ordered so that the determinant of the

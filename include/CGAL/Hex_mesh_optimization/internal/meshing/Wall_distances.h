@@ -9,11 +9,10 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/aabb.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/number_type_config.h>
-
-#include <boost/variant/get.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,25 +63,18 @@ inline std::vector<Wall_distance> wall_distances(const Positions& points,
     const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
     const int n = static_cast<int>((std::min)((std::max)(1.0, std::ceil(longest / spacing)), most_parts));
     const double area = (b - a).cross(c - a).norm() / 2 / (double(n) * n);
-    const auto shoot = [&](double u, double v) {
-      const Vector_3 place = a + u / n * (b - a) + v / n * (c - a);
+    for_lattice(a, b, c, n, [&](const Vector_3& place) {
       const aabb::Kernel::Ray_3 ray(aabb::point(place), aabb::Kernel::Vector_3(inward[0], inward[1], inward[2]));
       double distance = std::numeric_limits<double>::infinity();
       const auto found = tree.first_intersection(ray, [&](const aabb::Triangle_iterator& other) {
         return static_cast<std::size_t>(other - soup.cbegin()) == s;
       });
       if (found)
-        if (const auto* wall = boost::get<aabb::Kernel::Point_3>(&found->first))
+        if (const auto* wall = aabb::get_if<aabb::Kernel::Point_3>(&found->first))
           if (normal(*found->second).dot(inward) > opposite)
             distance = (aabb::vector(*wall) - place).norm();
       result.push_back({place, inward, index[s], area, distance});
-    };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        shoot(i + 1 / 3.0, j + 1 / 3.0);
-        if (i + j + 1 < n)
-          shoot(i + 2 / 3.0, j + 2 / 3.0);
-      }
+    });
   }
   return result;
 }

@@ -21,8 +21,10 @@
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#include <boost/variant/get.hpp>
 #endif
 
+#include <variant>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -42,6 +44,17 @@ using Segment_traits = CGAL::AABB_traits<Kernel, CGAL::AABB_segment_primitive<Ke
 
 inline Kernel::Point_3 point(const Vector_3& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
 inline Vector_3 vector(const Kernel::Point_3& p) { return Vector_3(p.x(), p.y(), p.z()); }
+
+// What an intersection is, if it is a T, else null: CGAL 6 has variants of the standard library, before of Boost.
+template <class T, class Variant>
+const T* get_if(const Variant* intersection)
+{
+#if CGAL_VERSION_NR >= 1060000000
+  return std::get_if<T>(intersection);
+#else
+  return boost::get<T>(intersection);
+#endif
+}
 
 // Traversal traits that visit all primitives whose bounding boxes may overlap a box.
 template <class Visit>

@@ -38,6 +38,19 @@ inline double oversize(const Positions& points, const std::vector<Triangle_indic
   return (std::max)(1.0, area / (largest_area * double(number_of_boundary_faces)));
 }
 
+// Calls visit(place) for the centers of n² equal parts of a triangle.
+template <class Visit>
+void for_lattice(const Vector_3& a, const Vector_3& b, const Vector_3& c, int n, const Visit& visit)
+{
+  const auto at = [&](double u, double v) { visit(Vector_3(a + u / n * (b - a) + v / n * (c - a))); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j) {
+      at(i + 1 / 3.0, j + 1 / 3.0);
+      if (i + j + 1 < n)
+        at(i + 2 / 3.0, j + 2 / 3.0);
+    }
+}
+
 // The triangles of a surface, sheet by sheet.
 inline std::vector<std::size_t> triangles_by_sheets(const Triangle_surface& surface)
 {
@@ -75,15 +88,7 @@ inline std::vector<Surface_sample> spread_samples(const Triangle_surface& surfac
     const double extent = excess > 1 ? std::sqrt(doubled / excess) : longest; // needles would have too many samples
     const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(extent / spacing), most_parts)));
     const double area = doubled / 2 / (double(n) * n);
-    const auto add = [&](double u, double v) {
-      samples.push_back({a + u / n * (b - a) + v / n * (c - a), area, -1, sheet});
-    };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        add(i + 1 / 3.0, j + 1 / 3.0);
-        if (i + j + 1 < n)
-          add(i + 2 / 3.0, j + 2 / 3.0);
-      }
+    for_lattice(a, b, c, n, [&](const Vector_3& place) { samples.push_back({place, area, -1, sheet}); });
   }
   return samples;
 }
