@@ -125,6 +125,71 @@ TEST(Target_edge_lengths, grow_with_the_mesh)
     EXPECT_EQ(of_large[e], 1024 * lengths[e]);
 }
 
+// Layers of these heights, of which one hexahedron and all around it say nothing
+TEST(Target_edge_lengths, follow_layers_where_they_are_sound)
+{
+  const std::vector<double> heights = {0, .1, .2, 1.2, 2.2, 2.25};
+  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{6, 6, 5}}, {{6, 6, 5}}); });
+  const Edge_relations relations(mesh.complex);
+  Positions points = mesh.points;
+  for (Vector_3& p : points)
+    p[2] = heights[std::lround(p[2])];
+  const std::vector<double> known = edge_lengths(mesh.complex, points);
+  std::vector<char> is_sound(mesh.complex.hexahedra.size(), true);
+  const std::size_t moved = 3 + 7 * (3 + 7 * 2); // in the middle
+  ASSERT_FALSE(mesh.complex.is_on_boundary[moved]);
+  for (int h : mesh.complex.vertex_hexahedra[moved])
+    is_sound[h] = false;
+  points[moved] += Vector_3(1.5, -1, 1.2);
+
+  const Target_lengths found = lengths_along_sound_sheets(mesh.complex, relations, points, is_sound);
+  const std::vector<double> estimated = estimate_edge_lengths(mesh.complex, relations, points);
+  double largest_error = 0;
+  for (std::size_t e = 0; e < known.size(); ++e) {
+    EXPECT_GE(found.certainty[e], 0);
+    EXPECT_LE(found.certainty[e], 1);
+    if (found.certainty[e] > 0) {
+      EXPECT_NEAR(std::log(found.lengths[e] / known[e]), 0, .2) << e;
+    }
+    if (known[e] < .2) {
+      EXPECT_GT(found.certainty[e], .9) << e;
+      EXPECT_NEAR(found.lengths[e] / known[e], 1, .05) << e;
+      largest_error = (std::max)(largest_error, estimated[e] / known[e]);
+    }
+  }
+  EXPECT_GT(largest_error, 2) << "the estimate alone would do";
+}
+
+TEST(Target_edge_lengths, are_estimated_where_nothing_is_sound)
+{
+  const Tangled_mesh s = tangled_cylinder(7);
+  const std::vector<char> is_sound(s.complex.hexahedra.size(), false);
+  const Target_lengths found = lengths_along_sound_sheets(s.complex, s.relations, s.tangled, is_sound);
+  EXPECT_EQ(found.lengths, estimate_edge_lengths(s.complex, s.relations, s.tangled));
+  EXPECT_EQ(found.certainty, std::vector<double>(s.complex.edges.size(), 0.0));
+}
+
+TEST(Target_edge_lengths, of_a_valid_mesh_are_its_own_and_certain_for_layers)
+{
+  const std::vector<double> heights = {0, .1, .25, 1.25, 2.25, 2.3};
+  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{6, 6, 5}}, {{6, 6, 5}}); });
+  const Edge_relations relations(mesh.complex);
+  Positions points = mesh.points;
+  for (Vector_3& p : points)
+    p[2] = heights[std::lround(p[2])];
+  const std::vector<double> known = edge_lengths(mesh.complex, points);
+  const Target_lengths found = own_edge_lengths(mesh.complex, relations, points);
+  EXPECT_EQ(found.origin, Target_lengths::Origin::OWN);
+  for (std::size_t e = 0; e < known.size(); ++e) {
+    EXPECT_NEAR(found.lengths[e], known[e], 1e-4) << e;
+    if (known[e] < .3) {
+      EXPECT_EQ(found.certainty[e], 1) << e;
+    }
+  }
+  const Target_lengths of_cubes = own_edge_lengths(mesh.complex, relations, mesh.points);
+  EXPECT_EQ(of_cubes.certainty, std::vector<double>(known.size(), 0.0));
+}
+
 TEST(Target_edge_lengths, are_updated_by_eq_23_and_24)
 {
   const Tangled_mesh s = tangled_block(4);

@@ -30,6 +30,12 @@ struct Hexahedron_energy_parameters
   // (measured).
   double shape_weight = .11;
   double poor_shape_weight = .545;
+
+  void multiply_shape(double factor)
+  {
+    shape_weight *= factor;
+    poor_shape_weight *= factor;
+  }
 };
 
 // Over the corners of a hexahedron with scaled Jacobians s:

@@ -144,14 +144,14 @@ private:
   {
     const Timer timer(control_, report_.status.rectification_seconds);
     return Edge_cone_rectification(mesh_.complex, model_.relations, model_.faces, *model_.surface, model_.attachment,
-                                   vertices_at_rest(points), model_.lengths, parameters_.rectification)
+                                   vertices_at_rest(points), model_.targets.lengths, parameters_.rectification)
       .run(points, control_, target, tolerated);
   }
 
   Stage_end untangle(Positions& points)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
-    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths, sliding(points),
+    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.targets.lengths, sliding(points),
                       parameters_.untangling)
       .run(points, control_);
   }
@@ -160,9 +160,8 @@ private:
   {
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
-    return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.lengths,
-                                model_.lengths_are_estimated ? &model_.relations : nullptr, held,
-                                parameters_.maximization)
+    return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.targets, model_.relations,
+                                held, parameters_.maximization)
       .run(points, control_, parameters_.target_quality);
   }
 
@@ -192,7 +191,7 @@ private:
   Boundary_samples& boundary_samples()
   {
     if (!samples_)
-      samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment, model_.lengths,
+      samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment, model_.targets.lengths,
                        model_.reference_is_given, parameters_.maximum_deviation / model_.unit,
                        parameters_.boundary.samples);
     return *samples_;

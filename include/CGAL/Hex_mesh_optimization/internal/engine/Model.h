@@ -56,10 +56,7 @@ public:
     , attachment(attached(is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
     , relations(mesh.complex)
-    , lengths_are_estimated(!parameters.target_length &&
-                            parameters.target_edge_lengths == Target_edge_lengths::ESTIMATED &&
-                            !can_be_trusted(parameters.boundary.samples.tolerance))
-    , lengths(target_lengths(parameters))
+    , targets(target_lengths(parameters))
   {}
 
   Positions in_units(const Positions& positions) const
@@ -92,8 +89,7 @@ public:
   const Boundary_attachment attachment;
   const std::vector<char> is_fixed; // of the vertices
   const Edge_relations relations;
-  const bool lengths_are_estimated;
-  const std::vector<double> lengths; // targets of the edges
+  const Target_lengths targets; // of the edges
 
 private:
   // Of an edge whose length is asked for: far thinner than boundary layers are, but not nothing.
@@ -221,11 +217,8 @@ private:
     return result;
   }
 
-  // Whether the lengths of the input say something: it is not tangled, and its boundary is where it has to be.
-  bool can_be_trusted(double tolerance) const
+  bool is_on_reference(double tolerance) const
   {
-    if (Mesh_quality(mesh.complex, points).inverted > 0)
-      return false;
     for (std::size_t v = 0; reference_is_given && v < points.size(); ++v)
       if (mesh.complex.is_on_boundary[v] &&
           (surface->closest_point(points[v], Surface_point::no_hint, attachment.sheet[v]).point - points[v]).norm() >
@@ -283,7 +276,23 @@ private:
     throw Input_error(Input_error::Element::MESH, 0, message.str());
   }
 
-  std::vector<double> target_lengths(const Optimization_parameters& parameters) const
+  Target_lengths target_lengths(const Optimization_parameters& parameters) const
+  {
+    if (parameters.target_length || parameters.target_edge_lengths == Target_edge_lengths::INPUT)
+      return Target_lengths(Target_lengths::Origin::ASKED_FOR, lengths_asked_for(parameters));
+    // lengths between boundaries that have to go elsewhere say nothing
+    if (!is_on_reference(parameters.boundary.samples.tolerance))
+      return Target_lengths(Target_lengths::Origin::ESTIMATED, estimate_edge_lengths(mesh.complex, relations, points));
+    const Mesh_quality quality(mesh.complex, points);
+    if (quality.inverted == 0)
+      return own_edge_lengths(mesh.complex, relations, points);
+    std::vector<char> is_sound(quality.scaled_jacobians.size());
+    std::transform(quality.scaled_jacobians.begin(), quality.scaled_jacobians.end(), is_sound.begin(),
+                   [](double s) { return s > 0; });
+    return lengths_along_sound_sheets(mesh.complex, relations, points, is_sound);
+  }
+
+  std::vector<double> lengths_asked_for(const Optimization_parameters& parameters) const
   {
     if (parameters.target_length) {
       // asked for in the order that edges have with the caller's vertices
@@ -306,14 +315,10 @@ private:
       }
       return lengths;
     }
-    if (parameters.target_edge_lengths == Target_edge_lengths::INPUT) {
-      std::vector<double> lengths = edge_lengths(mesh.complex, points);
-      for (double& l : lengths)
-        l = (std::max)(l, least_input_length);
-      return lengths;
-    }
-    return lengths_are_estimated ? estimate_edge_lengths(mesh.complex, relations, points)
-                                 : layered_edge_lengths(mesh.complex, relations, points);
+    std::vector<double> lengths = edge_lengths(mesh.complex, points);
+    for (double& l : lengths)
+      l = (std::max)(l, least_input_length);
+    return lengths;
   }
 };
 

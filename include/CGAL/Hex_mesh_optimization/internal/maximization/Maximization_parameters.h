@@ -59,6 +59,12 @@ struct Maximization_parameters
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;
 
+  // Factors of both weights of the shape where target lengths are more than an estimate: those of the mesh itself, with
+  // which layers keep their heights (measured on boundary layers: within a fifth), and those that the caller asks for,
+  // which are kept closely at what that costs in quality.
+  double shape_of_own_lengths = 5;
+  double shape_of_lengths_asked_for = 200;
+
   // --- Bounded distances ---
   // The minimum that is held yields by the factor in each iteration in which, fully tight, the excess over the bound
   // does not fall to this part, or vertices are away from where they are to stand, and recovers in each without that.

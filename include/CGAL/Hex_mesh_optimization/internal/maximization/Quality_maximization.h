@@ -42,24 +42,23 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Quality_maximization
 {
 public:
-  // Positions are in units of the mean boundary edge; lengths are the targets of the edges. With relations they are
-  // only estimates and may be adapted; without (null) they are kept. All but the numbers must outlive the object.
-  // distance: of the samples.
+  // Positions are in units of the mean boundary edge; targets are those of the edges, of which what is not certain may
+  // be adapted. All but the numbers and the targets must outlive the object. distance: of the samples.
   Quality_maximization(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
-                       const std::vector<double>& lengths, const Edge_relations* relations, Sliding& sliding,
+                       const Target_lengths& targets, const Edge_relations& relations, Sliding& sliding,
                        const Maximization_parameters& parameters)
     : complex_(complex)
-    , parameters_(parameters)
+    , parameters_(with_shape_for(targets.origin, parameters))
     , samples_(samples)
     , relations_(relations)
     , matrix_(vertex_couplings(complex))
     , assembly_(complex, matrix_)
     , batches_(complex)
-    , floor_(batches_, parameters.floor)
-    , hexahedra_(complex, batches_, assembly_, floor_.floors(), lengths, parameters.energy)
+    , floor_(batches_, parameters_.floor)
+    , hexahedra_(complex, batches_, assembly_, floor_.floors(), targets.lengths, parameters_.energy)
     , boundary_(samples, distance, complex.number_of_vertices())
     , sliding_(sliding)
-    , lengths_(lengths)
+    , targets_(targets)
   {}
 
   // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
@@ -87,8 +86,7 @@ public:
                  (parameters_.shape_balance_offset + 1 - quality.average);
         weigh_shape();
         sliding_.call_all();
-        if (relations_)
-          adapt_lengths(points);
+        adapt_lengths(points);
       }
       if (!tightens)
         floor_.rise(quality);
@@ -200,25 +198,34 @@ private:
   // smoothly, so that they follow the shape of the model and not of single poor hexahedra.
   void adapt_lengths(const Positions& points)
   {
-    const std::vector<double> reached = smooth_edge_lengths(*relations_, edge_lengths(complex_, points));
-    for (std::size_t e = 0; e < lengths_.size(); ++e)
+    const std::vector<double> reached = smooth_edge_lengths(relations_, edge_lengths(complex_, points));
+    std::vector<double>& lengths = targets_.lengths;
+    for (std::size_t e = 0; e < lengths.size(); ++e)
       if (!complex_.is_boundary_edge[e])
-        lengths_[e] *= std::pow(reached[e] / lengths_[e], parameters_.length_adaptation);
-    hexahedra_.set_target_lengths(lengths_);
+        lengths[e] *= std::pow(reached[e] / lengths[e], (1 - targets_.certainty[e]) * parameters_.length_adaptation);
+    hexahedra_.set_target_lengths(lengths);
+  }
+
+  static Maximization_parameters with_shape_for(Target_lengths::Origin origin, Maximization_parameters parameters)
+  {
+    if (origin == Target_lengths::Origin::OWN)
+      parameters.energy.multiply_shape(parameters.shape_of_own_lengths);
+    else if (origin == Target_lengths::Origin::ASKED_FOR)
+      parameters.energy.multiply_shape(parameters.shape_of_lengths_asked_for);
+    return parameters;
   }
 
   void weigh_shape()
   {
     Hexahedron_energy_parameters energy = parameters_.energy;
-    energy.shape_weight *= shape_ * shape_yield_;
-    energy.poor_shape_weight *= shape_ * shape_yield_;
+    energy.multiply_shape(shape_ * shape_yield_);
     hexahedra_.set_parameters(energy);
   }
 
   const Hexahedral_complex& complex_;
   const Maximization_parameters parameters_;
   Boundary_samples& samples_;
-  const Edge_relations* relations_;
+  const Edge_relations& relations_;
   Block_matrix matrix_;
   const Hexahedron_assembly assembly_;
   const Hexahedron_batches batches_;
@@ -226,7 +233,7 @@ private:
   Hexahedra_energy hexahedra_;
   Boundary_energy boundary_;
   Sliding& sliding_;
-  std::vector<double> lengths_;        // targets of the edges
+  Target_lengths targets_;             // of the edges
   double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
 };
 
