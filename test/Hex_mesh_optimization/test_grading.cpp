@@ -41,7 +41,7 @@ public:
     }
   }
 
-  // Moves the vertices inside by up to this part of the sizes of hexahedra
+  // Moves the vertices inside by up to this part of the heights of hexahedra
   void scramble(unsigned int seed, double part)
   {
     std::mt19937 random(seed);
@@ -53,9 +53,8 @@ public:
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
       if (!complex.is_on_boundary[v]) {
         const Point p = mesh.points[v];
-        const double x = uniform(random, -part, part), y = uniform(random, -part, part),
-                     z = uniform(random, -part, part) * below[v];
-        mesh.points[v] = Point(p.x() + x, p.y() + y, p.z() + z);
+        const Vector_3 moved = random_vector(random, part * below[v]);
+        mesh.points[v] = Point(p.x() + moved[0], p.y() + moved[1], p.z() + moved[2]);
       }
   }
 

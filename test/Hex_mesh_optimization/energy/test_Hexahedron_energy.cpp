@@ -76,6 +76,7 @@ struct Element
   Corners x;
   Lengths lengths;
   Floor floor;
+  double certainty = 0;
 
   Hexahedron_frame<double> frame() const
   {
@@ -94,13 +95,13 @@ struct Element
 
   double value(const Hexahedron_energy& energy) const
   {
-    return energy.value(frame(), inverse_targets().data(), floor.data());
+    return energy.value(frame(), inverse_targets().data(), floor.data(), certainty);
   }
 
   Hexahedron_derivatives<double> derivatives(const Hexahedron_energy& energy) const
   {
     Hexahedron_derivatives<double> result;
-    energy.derivatives(frame(), inverse_targets().data(), floor.data(), result);
+    energy.derivatives(frame(), inverse_targets().data(), floor.data(), result, certainty);
     return result;
   }
 
@@ -157,6 +158,7 @@ void for_random_elements(int trials, const Test& test)
       l *= std::exp(uniform(random, -freedom, freedom));
     for (double& f : e.floor)
       f = uniform(random, .5, 1) * floor;
+    e.certainty = trial % 3 / 2.;
     test(e, random);
     if (::testing::Test::HasFailure())
       return;
@@ -212,7 +214,7 @@ TEST(Hexahedron_energy, is_the_same_for_several_hexahedra_at_once)
   for_random_elements(101, [&](const Element& e, std::mt19937&) { elements.push_back(e); });
   ASSERT_EQ(elements.size(), 101u);
   for (std::size_t first = 0; first < elements.size(); first += number_of_lanes) {
-    Lanes vectors[12][3] = {}, inverse_targets[12] = {}, floor[8] = {};
+    Lanes vectors[12][3] = {}, inverse_targets[12] = {}, floor[8] = {}, certainty = {};
     const auto element = [&](int l) -> const Element& { return elements[(std::min)(first + l, elements.size() - 1)]; };
     for (int l = 0; l < number_of_lanes; ++l) {
       float one[12][3];
@@ -222,13 +224,14 @@ TEST(Hexahedron_energy, is_the_same_for_several_hexahedra_at_once)
           set_lane(vectors[k][a], l, one[k][a]);
         set_lane(inverse_targets[k], l, static_cast<float>(element(l).inverse_targets()[k]));
       }
+      set_lane(certainty, l, static_cast<float>(element(l).certainty));
       for (int c = 0; c < 8; ++c)
         set_lane(floor[c], l, static_cast<float>(element(l).floor[c]));
     }
     const Hexahedron_frame<Lanes> frame(vectors);
-    const Lanes values = energy.value(frame, inverse_targets, floor);
+    const Lanes values = energy.value(frame, inverse_targets, floor, certainty);
     Hexahedron_derivatives<Lanes> d;
-    energy.derivatives(frame, inverse_targets, floor, d);
+    energy.derivatives(frame, inverse_targets, floor, d, certainty);
     for (int l = 0; l < number_of_lanes; ++l) {
       const double value = element(l).value(energy);
       EXPECT_NEAR(lane(values, l), value, 1e-4 * value);
@@ -259,7 +262,7 @@ TEST(Hexahedron_energy, has_a_model_of_the_hessian_next_to_inversion)
   const Hexahedron_energy energy((Hexahedron_energy_parameters()));
   for (double height : {1e-1, 1e-3, 1e-6}) {
     SCOPED_TRACE(height);
-    Element e{box(Vector_3(1, 1, 1)), {}, {}};
+    Element e{box(Vector_3(1, 1, 1)), {}, {}, 0};
     e.x[0] = Vector_3::Constant((1 - height) / 3); // above the plane of its neighbors
     e.lengths = lengths_of(e.x);
     e.floor.fill(.5);
@@ -278,7 +281,7 @@ TEST(Hexahedron_energy, is_infinite_where_a_corner_is_inverted)
   std::mt19937 random(3);
   int inverted = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    Element e{box(Vector_3(1, 1, 1)), {}, {}};
+    Element e{box(Vector_3(1, 1, 1)), {}, {}, 0};
     e.lengths.fill(1);
     for (Vector_3& p : e.x)
       p += random_vector(random, .5);
@@ -290,7 +293,7 @@ TEST(Hexahedron_energy, is_infinite_where_a_corner_is_inverted)
   EXPECT_GT(inverted, 100);
   EXPECT_LT(inverted, 900);
 
-  Element flat{box(Vector_3(1, 1, 1)), {}, {}};
+  Element flat{box(Vector_3(1, 1, 1)), {}, {}, 0};
   flat.lengths.fill(1);
   flat.x[0] = Vector_3(.5, .5, 0); // on a line with its neighbors 1 and 3
   EXPECT_EQ(worst_corner(flat.x), 0);

@@ -33,6 +33,7 @@ public:
     , assembly_(assembly)
     , floors_(floors)
     , inverse_targets_(complex.hexahedra.size())
+    , certainties_(complex.hexahedra.size())
     , energy_(parameters)
   {
     set_target_lengths(target_lengths);
@@ -48,10 +49,14 @@ public:
         inverse_targets_.set(h, k, 1 / lengths[complex_.hexahedron_edges[h][k] / 2]);
   }
 
+  // Of the target lengths of the hexahedron, 0 if not set.
+  void set_certainty(std::size_t hexahedron, double certainty) { certainties_.set(hexahedron, 0, certainty); }
+
   double value(const Positions& points) const
   {
     return hexahedra_.sum([&](std::size_t i) {
-      const Lanes values = energy_.value(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i));
+      const Lanes values = energy_.value(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i),
+                                         *certainties_.batch(i));
       double of_batch = 0;
       for (int l = 0; l < hexahedra_.number_of_hexahedra(i); ++l)
         of_batch += lane(values, l);
@@ -63,7 +68,8 @@ public:
   {
     hexahedra_.for_each_without_conflict([&](std::size_t i) {
       Hexahedron_derivatives<Lanes> d;
-      energy_.derivatives(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i), d);
+      energy_.derivatives(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i), d,
+                          *certainties_.batch(i));
       hexahedra_.add(i, d, assembly_, gradient, matrix);
     });
   }
@@ -74,6 +80,7 @@ private:
   const Hexahedron_assembly& assembly_;
   const Batched_values<8>& floors_;
   Batched_values<12> inverse_targets_; // of the edges
+  Batched_values<1> certainties_;
   Hexahedron_energy energy_;
 };
 

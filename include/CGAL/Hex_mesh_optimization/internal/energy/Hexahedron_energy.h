@@ -30,6 +30,9 @@ struct Hexahedron_energy_parameters
   // (measured).
   double shape_weight = .11;
   double poor_shape_weight = .545;
+  // λ, of the shape for lengths that are certain. Linear: the terms above vanish too fast to hold a layer to its height
+  // (measured on a boundary layer: 50 times κ and κ' do less than this).
+  double certain_shape_weight = 1;
 
   void multiply_shape(double factor)
   {
@@ -39,22 +42,25 @@ struct Hexahedron_energy_parameters
 };
 
 // Over the corners of a hexahedron with scaled Jacobians s:
-//   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ κ/2 (m − 1)² + κ'/3 (m − 1)³,
-// infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l.
+//   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ λ c (m − 1) + κ/2 (m − 1)² + κ'/3 (m − 1)³,
+// infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l,
+// of certainty c.
 class Hexahedron_energy
 {
 public:
   explicit Hexahedron_energy(const Hexahedron_energy_parameters& parameters) : parameters_(parameters) {}
 
-  // inverse_targets: 1 / l of the edges; floor: τ of the corners.
+  // inverse_targets: 1 / l of the edges; floor: τ of the corners; certainty: c.
   template <class Real>
-  Real value(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor) const
+  Real value(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor,
+             const Real& certainty = Real{}) const
   {
     using Number = typename Lane<Real>::type;
     const Number offset = Number(parameters_.norm_offset), barrier = Number(parameters_.barrier_weight),
                  half_floor_weight = Number(parameters_.floor_weight / 2),
                  half_shape = Number(parameters_.shape_weight / 2),
-                 third_poor_shape = Number(parameters_.poor_shape_weight / 3);
+                 third_poor_shape = Number(parameters_.poor_shape_weight / 3),
+                 certain_shape = Number(parameters_.certain_shape_weight);
     const Edge_ratios<Real> ratios(frame, inverse_targets);
     Real sum{}, norm{}, lowest = Real{} + Number(1);
     for (int i = 0; i < 8; ++i) {
@@ -62,8 +68,8 @@ public:
       lowest = smaller(s, lowest);
       const Real safe = if_positive(s, larger(s, Real{} + least_scaled_jacobian<Number>()), Real{} + Number(1));
       const Real excess = larger(Real{}, ratios.mean_ratio(i, safe) - Number(1));
-      sum += excess * excess * (half_shape + third_poor_shape * excess) - barrier * logarithm(safe) +
-             half_floor_weight * below * below;
+      sum += excess * (certain_shape * certainty + excess * (half_shape + third_poor_shape * excess)) -
+             barrier * logarithm(safe) + half_floor_weight * below * below;
       norm += power_8(Number(1) - s + offset);
     }
     return if_positive(lowest, sum + Number(8) * root_8(norm * Number(.125)),
@@ -73,12 +79,13 @@ public:
   // All scaled Jacobians must be positive. Overwrites d.
   template <class Real>
   void derivatives(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor,
-                   Hexahedron_derivatives<Real>& d) const
+                   Hexahedron_derivatives<Real>& d, const Real& certainty = Real{}) const
   {
     using Number = typename Lane<Real>::type;
     const Number offset = Number(parameters_.norm_offset), barrier = Number(parameters_.barrier_weight),
                  floor_weight = Number(parameters_.floor_weight), shape = Number(parameters_.shape_weight),
-                 poor_shape = Number(parameters_.poor_shape_weight);
+                 poor_shape = Number(parameters_.poor_shape_weight),
+                 certain_shape = Number(parameters_.certain_shape_weight);
     const Edge_ratios<Real> ratios(frame, inverse_targets);
     d.set_zero();
     Real norm{};
@@ -107,7 +114,8 @@ public:
       for (int k = 0; k < 3; ++k)
         squares += r[k] = ratios.square[corner_edges[i][k] / 2];
       const Real factor = Number(3) * m / squares; // of ⅓ Σ |e_i|²/l_i²
-      const Real slope = excess * (shape + poor_shape * excess), growth = shape + Number(2) * poor_shape * excess;
+      const Real slope = certain_shape * certainty + excess * (shape + poor_shape * excess),
+                 growth = shape + Number(2) * poor_shape * excess;
       d.add(i, frame, corner,
             Corner_quadratic<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
     }

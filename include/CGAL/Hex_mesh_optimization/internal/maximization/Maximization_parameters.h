@@ -59,11 +59,9 @@ struct Maximization_parameters
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;
 
-  // Factors of both weights of the shape where target lengths are more than an estimate: those of the mesh itself, with
-  // which layers keep their heights (measured on boundary layers: within a fifth), and those that the caller asks for,
-  // which are kept closely at what that costs in quality.
-  double shape_of_own_lengths = 5;
-  double shape_of_lengths_asked_for = 200;
+  // Lengths that the caller asks for are kept so many times as closely as those that only seem to be meant, at what that
+  // costs in quality.
+  double weight_of_lengths_asked_for = 15;
 
   // --- Bounded distances ---
   // The minimum that is held yields by the factor in each iteration in which, fully tight, the excess over the bound

@@ -48,7 +48,7 @@ public:
                        const Target_lengths& targets, const Edge_relations& relations, Sliding& sliding,
                        const Maximization_parameters& parameters)
     : complex_(complex)
-    , parameters_(with_shape_for(targets.origin, parameters))
+    , parameters_(weighted_for(targets.origin, parameters))
     , samples_(samples)
     , relations_(relations)
     , matrix_(vertex_couplings(complex))
@@ -59,7 +59,15 @@ public:
     , boundary_(samples, distance, complex.number_of_vertices())
     , sliding_(sliding)
     , targets_(targets)
-  {}
+  {
+    // a hexahedron keeps its lengths as closely as the most certain of them
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
+      double certainty = 0;
+      for (int directed : complex.hexahedron_edges[h])
+        certainty = (std::max)(certainty, targets.certainty[directed / 2]);
+      hexahedra_.set_certainty(h, certainty);
+    }
+  }
 
   // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
   // Does nothing if a hexahedron is inverted.
@@ -206,12 +214,10 @@ private:
     hexahedra_.set_target_lengths(lengths);
   }
 
-  static Maximization_parameters with_shape_for(Target_lengths::Origin origin, Maximization_parameters parameters)
+  static Maximization_parameters weighted_for(Target_lengths::Origin origin, Maximization_parameters parameters)
   {
-    if (origin == Target_lengths::Origin::OWN)
-      parameters.energy.multiply_shape(parameters.shape_of_own_lengths);
-    else if (origin == Target_lengths::Origin::ASKED_FOR)
-      parameters.energy.multiply_shape(parameters.shape_of_lengths_asked_for);
+    if (origin == Target_lengths::Origin::ASKED_FOR)
+      parameters.energy.certain_shape_weight *= parameters.weight_of_lengths_asked_for;
     return parameters;
   }
 

@@ -127,26 +127,6 @@ struct Target_lengths
   std::vector<double> certainty; // of each: 0 is a guess, 1 is not to be changed
 };
 
-// 0 up to low, 1 from high on
-inline double part_between(double x, double low, double high)
-{
-  return (std::max)(0.0, (std::min)(1.0, (x - low) / (high - low)));
-}
-
-// Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, so that layers keep
-// the heights that they have. The lengths of a poor mesh are as poor as it is; they are certain where they clearly
-// differ from what would be estimated, as layers do.
-inline Target_lengths own_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                       const Positions& points)
-{
-  const double unclear = std::log(1.1), clear = std::log(1.5); // of the factor between the two
-  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
-  Target_lengths own(Target_lengths::Origin::OWN, smooth_edge_lengths(relations, edge_lengths(complex, points), false));
-  for (std::size_t e = 0; e < estimated.size(); ++e)
-    own.certainty[e] = part_between(std::abs(std::log(own.lengths[e] / estimated[e])), unclear, clear);
-  return own;
-}
-
 // Values of edges, spread along the sheets of hexahedra from those that are known to the others, whose own ones count
 // where a sheet has none that is known. O(edge pairs).
 inline std::vector<double> spread_along_sheets(const Edge_relations& relations, const std::vector<char>& is_known,
@@ -166,47 +146,91 @@ inline std::vector<double> spread_along_sheets(const Edge_relations& relations, 
   return values;
 }
 
+// What the lengths of a mesh say along the sheets of hexahedra.
+class Lengths_along_sheets
+{
+public:
+  // counts: of the edges, whether their lengths say something; the others have the estimated ones. Edges agree when
+  // their lengths and those of all that are parallel to them in a hexahedron differ by no more than the factor.
+  Lengths_along_sheets(const Edge_relations& relations, const std::vector<double>& lengths,
+                       const std::vector<char>& counts, const std::vector<double>& estimated, double agreement)
+    : estimated_(estimated)
+  {
+    const double tolerance = std::log(agreement);
+    std::vector<double> logarithms(lengths.size()), agree(lengths.size());
+    for (std::size_t e = 0; e < lengths.size(); ++e) {
+      logarithms[e] = std::log(counts[e] ? lengths[e] : estimated[e]);
+      agree[e] = counts[e];
+    }
+    for (const Edge_pair& p : relations.parallel) {
+      const std::size_t e = p.first / 2, f = p.second / 2;
+      if (counts[e] && counts[f] && std::abs(logarithms[e] - logarithms[f]) > tolerance)
+        agree[e] = agree[f] = 0;
+    }
+    logarithms_ = spread_along_sheets(relations, counts, std::move(logarithms));
+    agree_ = spread_along_sheets(relations, counts, std::move(agree));
+  }
+
+  // The logarithm of the length over the estimated one.
+  double factor(std::size_t e) const { return logarithms_[e] - std::log(estimated_[e]); }
+
+  // Lengths are meant, not an accident, where the edges of a sheet agree and the estimate is clearly wrong. Nothing is
+  // certain up to the first factor and part, all from the second on.
+  double certainty(std::size_t e, double unclear, double clear, double few, double most) const
+  {
+    return part_between(std::abs(factor(e)), std::log(unclear), std::log(clear)) * part_between(agree_[e], few, most);
+  }
+
+private:
+  // 0 up to low, 1 from high on
+  static double part_between(double x, double low, double high)
+  {
+    return (std::max)(0.0, (std::min)(1.0, (x - low) / (high - low)));
+  }
+
+  const std::vector<double>& estimated_;
+  std::vector<double> logarithms_, agree_; // agree_: the part of the edges
+};
+
+// Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, and certain where
+// they are meant, so that layers keep the heights that they have; where it is only poor it may be regraded.
+// O(edge pairs).
+inline Target_lengths own_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
+                                       const Positions& points)
+{
+  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
+  const Lengths_along_sheets own(relations, edge_lengths(complex, points),
+                                 std::vector<char>(complex.edges.size(), true), estimated, 1.25);
+  Target_lengths result(Target_lengths::Origin::OWN, estimated);
+  for (std::size_t e = 0; e < estimated.size(); ++e) {
+    result.certainty[e] = own.certainty(e, 1.1, 1.5, .6, .8);
+    result.lengths[e] *= std::exp(own.factor(e));
+  }
+  return result;
+}
+
 // Of a tangled mesh: the estimate where it says nothing, and its own lengths where it does: those of boundary edges with
 // none but sound hexahedra around them are spread along the sheets, so that a fin or a layer that is thin stays so, also
-// where it is tangled. They count where the edges of the sheet agree, as they do where they were made so on purpose, and
-// not where hexahedra are squeezed. Lengths that only interior edges have are no evidence (measured: an organic model
-// whose layer under the surface is thin throughout is better regraded, its 99th percentile of the ratios of edges is 3.4
-// instead of 7). O(edge pairs).
+// where it is tangled. Lengths that only interior edges have are no evidence (measured: an organic model whose layer
+// under the surface is thin throughout is better regraded, its 99th percentile of the ratios of edges is 3.4 instead of
+// 7). O(edge pairs).
 inline Target_lengths lengths_along_sound_sheets(const Hexahedral_complex& complex, const Edge_relations& relations,
                                                  const Positions& points, const std::vector<char>& is_sound)
 {
-  // Factors below the first are within what the estimate may err by, and it stays; from the second on it is wrong.
-  const double unclear = std::log(2), clear = std::log(3);
-  // Edges agree when their lengths and those of all that are parallel to them in a hexahedron differ by no more than
-  // this factor; nothing is certain where fewer than the first part of them do, all from the second on.
-  const double agreement = std::log(1.1), few = .8, most = .9;
-  const std::size_t n = complex.edges.size();
   const std::vector<double> present = edge_lengths(complex, points);
-  std::vector<char> counts(n);
-  for (std::size_t e = 0; e < n; ++e)
+  std::vector<char> counts(complex.edges.size());
+  for (std::size_t e = 0; e < counts.size(); ++e)
     counts[e] = present[e] > 0 && complex.is_boundary_edge[e];
   for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
     for (int directed : complex.hexahedron_edges[h])
       if (!is_sound[h])
         counts[directed / 2] = false;
-
-  Target_lengths result(Target_lengths::Origin::ESTIMATED, estimate_edge_lengths(complex, relations, points));
-  std::vector<double> logarithms(n), agree(n);
-  for (std::size_t e = 0; e < n; ++e) {
-    logarithms[e] = std::log(counts[e] ? present[e] : result.lengths[e]);
-    agree[e] = counts[e];
-  }
-  for (const Edge_pair& p : relations.parallel) {
-    const std::size_t e = p.first / 2, f = p.second / 2;
-    if (counts[e] && counts[f] && std::abs(logarithms[e] - logarithms[f]) > agreement)
-      agree[e] = agree[f] = 0;
-  }
-  logarithms = spread_along_sheets(relations, counts, std::move(logarithms));
-  agree = spread_along_sheets(relations, counts, std::move(agree));
-  for (std::size_t e = 0; e < n; ++e) {
-    const double factor = logarithms[e] - std::log(result.lengths[e]);
-    result.certainty[e] = part_between(std::abs(factor), unclear, clear) * part_between(agree[e], few, most);
-    result.lengths[e] *= std::exp(result.certainty[e] * factor);
+  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
+  const Lengths_along_sheets sound(relations, present, counts, estimated, 1.1);
+  Target_lengths result(Target_lengths::Origin::ESTIMATED, estimated);
+  for (std::size_t e = 0; e < estimated.size(); ++e) {
+    result.certainty[e] = sound.certainty(e, 1.5, 2.5, .8, .9);
+    result.lengths[e] *= std::exp(result.certainty[e] * sound.factor(e));
   }
   return result;
 }
