@@ -2,7 +2,7 @@
 
 // Diverging and sequential scales that the color-blind can tell apart; what is invalid, or has no value, is off the scale.
 const scales = {
-  quality: ["#a50026", "#d73027", "#f46d43", "#fdae61", "#fee090", "#ffffbf", "#e0f3f8", "#abd9e9", "#74add1", "#4575b4", "#313695"],
+  quality: ["#8e0b24", "#c62b2c", "#e8623b", "#f69d58", "#fbcf83", "#f7edb8", "#d3e8cf", "#a6d5d6", "#7bbad2"],
   deviation: ["#f3f1ea", "#fde3a0", "#fdbf6f", "#f98e52", "#e65a3a", "#bd1f36", "#7a0a3a"],
   plain: ["#c9d3dc", "#c9d3dc"],
 };
@@ -35,6 +35,7 @@ Color_scale.neutral = 1 - .5 / Color_scale.size;
 class Viewer {
   // labels: of the hexahedra of the first mesh, or null.
   constructor(canvas, meshes, labels) {
+    this.isRequested = false;
     this.canvas = canvas;
     this.meshes = meshes;
     this.labels = labels;
@@ -77,23 +78,37 @@ class Viewer {
     canvas.addEventListener("blur", () => { this.controls.enableZoom = false; });
     canvas.addEventListener("keydown", event => this.onKey(event));
     this.controls.addEventListener("change", () => this.render());
+    this.controls.addEventListener("start", () => { this.seesWhole = false; });
     this.onRender = () => {};
-    this.look(this.firstDirection());
-    this.rebuild();
+    this.look(new THREE.Vector3(.75, -1.25, .8));
   }
-
-  firstDirection() { return new THREE.Vector3(.75, -1.25, .8); }
 
   // Sees the whole from a side.
   look(direction) {
-    const target = this.box.getCenter(new THREE.Vector3());
-    this.place(target, direction.clone().normalize(), this.distanceOf(this.radius));
+    this.seesWhole = true;
+    this.place(this.box.getCenter(new THREE.Vector3()), direction.clone().normalize(), this.distanceTo(this.box, direction));
   }
 
-  distanceOf(radius) {
-    const { width, height } = this.part(0);
-    const aspect = Math.min(width / height, 1);
-    return 1.02 * radius / Math.sin(this.camera.fov / 2 * Math.PI / 180) / aspect;
+  // To be called when the canvas or the number of meshes shown has changed.
+  resize() {
+    if (this.seesWhole)
+      this.look(this.camera.position.clone().sub(this.controls.target));
+    else
+      this.render();
+  }
+
+  // From where all of a box is seen.
+  distanceTo(box, direction) {
+    const { width, height } = this.part(0), middle = box.getCenter(new THREE.Vector3());
+    const back = direction.clone().normalize(), right = new THREE.Vector3().crossVectors(this.camera.up, back).normalize();
+    const up = new THREE.Vector3().crossVectors(back, right);
+    const tangent = Math.tan(this.camera.fov / 2 * Math.PI / 180), aspect = width / height;
+    let distance = 0;
+    for (let k = 0; k < 8; ++k) {
+      const corner = new THREE.Vector3(...["x", "y", "z"].map((c, i) => (k >> i & 1 ? box.max : box.min)[c])).sub(middle);
+      distance = Math.max(distance, corner.dot(back) + 1.06 * Math.max(Math.abs(corner.dot(right)) / (tangent * aspect), Math.abs(corner.dot(up)) / tangent));
+    }
+    return distance;
   }
 
   place(target, direction, distance) {
@@ -104,8 +119,11 @@ class Viewer {
   }
 
   // The way there is shown, where that is wanted.
-  fly(target, distance) {
+  fly(box) {
+    this.seesWhole = box === this.box;
+    const target = box.getCenter(new THREE.Vector3());
     const from = this.controls.target.clone(), offset = this.camera.position.clone().sub(from);
+    const distance = this.distanceTo(box, offset);
     const start = performance.now(), startDistance = offset.length();
     const duration = window.matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 500;
     const step = now => {
@@ -128,15 +146,13 @@ class Viewer {
         box.expandByPoint(mesh.point(v));
     if (box.isEmpty())
       return;
-    this.fly(box.getCenter(new THREE.Vector3()), this.distanceOf(.65 * box.getSize(new THREE.Vector3()).length()));
+    this.fly(box);
   }
 
   showAll() {
     this.focus = null;
     this.rebuild();
-    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    this.fly(this.box.getCenter(new THREE.Vector3()), this.distanceOf(this.radius));
-    return direction;
+    this.fly(this.box);
   }
 
   onKey(event) {
@@ -234,7 +250,7 @@ class Viewer {
     surface.userData.sides = faces.sides;
     group.add(surface);
     if (this.hasEdges)
-      group.add(this.edges(faces.sides, mesh, .55));
+      group.add(this.edges(faces.sides, mesh, .55 * Math.min(1, 40 / Math.sqrt(faces.sides.length)))); // many would be a color
     if (this.threshold !== null || this.focus) {
       const behind = this.faces(mesh, ghost);
       group.add(new THREE.Mesh(behind.geometry, new THREE.MeshLambertMaterial({
@@ -350,9 +366,15 @@ class Viewer {
       : { left: 0, top: Math.round(height * i / n), width, height: height / n };
   }
 
+  // In the next frame, once for all that has changed until then.
   render() {
-    if (!this.colors)
-      return;
+    if (!this.isRequested)
+      requestAnimationFrame(() => this.draw());
+    this.isRequested = true;
+  }
+
+  draw() {
+    this.isRequested = false;
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
     this.renderer.setSize(width, height, false);
     this.renderer.setClearColor(this.colors.background);

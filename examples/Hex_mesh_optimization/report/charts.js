@@ -30,7 +30,7 @@ function powersUpTo(most) {
 class Chart {
   // x, y: [low, high] of the axes; y of the logarithms where it is logarithmic.
   constructor(label, x, y, { left = 52, bottom = 40, top = 10 } = {}) {
-    Object.assign(this, { width: 560, height: 250, left, bottom, top, right: 12, xs: x, ys: y });
+    Object.assign(this, { width: 560, height: 250, left, bottom, top, right: 20, xs: x, ys: y });
     this.svg = element("svg", { class: "chart", viewBox: `0 0 ${this.width} ${this.height}`, role: "img", "aria-label": label });
   }
 
@@ -109,40 +109,38 @@ function inWords(count) { return count.toLocaleString("en-US"); }
 
 const stageNames = { RECTIFICATION: "rectification", UNTANGLING: "untangling", MAXIMIZATION: "maximization" };
 
+// x of the first iteration is 1: at 0 is what came in.
 function drawStages(chart, iterations) {
   for (let begin = 0, end; begin < iterations.length; begin = end) {
     for (end = begin; end < iterations.length && iterations[end].stage === iterations[begin].stage;)
       ++end;
-    const left = chart.x(begin + 1 - .5), right = chart.x(end + .5), bottom = chart.height - chart.bottom;
-    if (["UNTANGLING"].includes(iterations[begin].stage))
-      chart.svg.append(element("rect", { class: "stage", x: left, y: chart.top, width: right - left, height: bottom - chart.top }));
-    if (begin > 0)
-      chart.svg.append(element("line", { class: "grid", x1: left, x2: left, y1: chart.top - 14, y2: bottom, "stroke-dasharray": "3 3" }));
-    if (right - left > 78)
-      chart.svg.append(element("text", { x: (left + right) / 2, y: chart.top - 5, "text-anchor": "middle" },
-        stageNames[iterations[begin].stage]));
+    const left = chart.x(begin + .5), right = chart.x(end + .5), bottom = chart.height - chart.bottom;
+    chart.svg.append(element("line", { class: "grid", x1: left, x2: left, y1: chart.top - 16, y2: bottom, "stroke-dasharray": "3 3" }));
+    const name = stageNames[iterations[begin].stage];
+    if (right - left > 7 * name.length)
+      chart.svg.append(element("text", { x: (left + right) / 2, y: chart.top - 8, "text-anchor": "middle" }, name));
   }
 }
 
-// What each iteration came to: quality, and how many are inverted.
-function convergence(container, iterations, color) {
+// What came in, and what each iteration came to: quality, and how many are inverted.
+function convergence(container, before, iterations, color) {
   if (iterations.length === 0) {
     container.append("There was no iteration.");
     return;
   }
-  const n = iterations.length, xs = [.5, n + .5];
-  const xTicks = ticksOf(1, Math.max(n, 2), 8).filter(t => Number.isInteger(t) && t >= 1 && t <= n).map(t => [t, inWords(t)]);
-  const lowest = Math.min(0, ...iterations.map(i => i.minimum));
-  const quality = new Chart("Minimum and mean of the scaled Jacobians after each iteration", xs, [lowest, 1], { top: 26 });
+  const states = [before, ...iterations], n = iterations.length, xs = [0, n + .5];
+  const xTicks = ticksOf(0, n, 8).filter(t => Number.isInteger(t)).map(t => [t, inWords(t)]);
+  const lowest = Math.min(0, ...states.map(s => s.minimum));
+  const quality = new Chart("Minimum and mean of the scaled Jacobians after each iteration", xs, [lowest, 1], { top: 28 });
+  quality.drawAxes(xTicks, ticksOf(lowest, 1, 5).map(t => [t, t.toFixed(1).replace("-", "\u2212")]), "iteration", "scaled Jacobian");
   drawStages(quality, iterations);
-  quality.drawAxes(xTicks, ticksOf(lowest, 1, 5).map(t => [t, t.toFixed(1)]), "iteration", "scaled Jacobian");
-  quality.drawLine(iterations.map((i, k) => [k + 1, i.average]), color, "6 4");
-  quality.drawLine(iterations.map((i, k) => [k + 1, i.minimum]), color);
-  const most = Math.max(1, ...iterations.map(i => i.number_of_inverted)), floor = -.3;
-  const inverted = new Chart("Number of inverted hexahedra after each iteration", xs, [floor, Math.log10(most) + .1], { top: 26 });
+  quality.drawLine(states.map((s, i) => [i, s.average]), color, "6 4");
+  quality.drawLine(states.map((s, i) => [i, s.minimum]), color);
+  const most = Math.max(1, ...states.map(s => s.number_of_inverted)), floor = -.4; // of the logarithms: there are none
+  const inverted = new Chart("Number of inverted hexahedra after each iteration", xs, [floor, Math.log10(most) + .1], { top: 28 });
+  inverted.drawAxes(xTicks, [[floor, "0"], ...powersUpTo(most).map(p => [Math.log10(p), inWords(p)])], "iteration", "number, logarithmic");
   drawStages(inverted, iterations);
-  inverted.drawAxes(xTicks, [[floor, "0"], ...powersUpTo(most).map(p => [Math.log10(p), inWords(p)])], "iteration", "inverted, logarithmic");
-  inverted.drawLine(iterations.map((i, k) => [k + 1, i.number_of_inverted > 0 ? Math.log10(i.number_of_inverted) : floor]), color);
+  inverted.drawLine(states.map((s, i) => [i, s.number_of_inverted > 0 ? Math.log10(s.number_of_inverted) : floor]), color);
   container.append(element("div", { class: "charts" },
     element("div", {}, element("p", { class: "note" }, "Scaled Jacobians: minimum (line) and mean (dashed)"), quality.svg),
     element("div", {}, element("p", { class: "note" }, "Inverted hexahedra"), inverted.svg)));

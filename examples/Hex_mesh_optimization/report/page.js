@@ -15,10 +15,11 @@ const minus = text => text.replace("-", "\u2212");
 const formats = {
   count: n => n.toLocaleString("en-US"),
   quality: x => minus(x.toFixed(4)),
-  length: x => minus(x === 0 ? "0" : Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? String(Number(x.toPrecision(4))) : x.toExponential(2)),
-  percent: x => x === 0 ? "0 %" : `${x >= 1e-5 ? Number((100 * x).toPrecision(3)) : (100 * x).toExponential(1)} %`,
-  seconds: x => `${Number(x.toPrecision(3))} s`,
+  length: x => minus(x === 0 ? "0" : Math.abs(x) >= 1e-3 && Math.abs(x) < 1e4 ? x.toPrecision(4) : x.toExponential(3)),
+  percent: x => x === 0 ? "0 %" : `${x >= 1e-5 ? (100 * x).toPrecision(3) : (100 * x).toExponential(2)} %`,
+  seconds: x => x >= 100 ? `${x.toFixed(0)} s` : x >= 1 ? `${x.toPrecision(3)} s` : `${x.toFixed(2)} s`,
 };
+const short = x => minus(String(Number(x.toPrecision(3))));
 
 // What the path of a member of the report leads to.
 function at(path) {
@@ -67,7 +68,7 @@ function fillSummary() {
     return result;
   };
   const deviation = element("p", {}, number("span", "status.deviation.maximum_relative", "percent"),
-    element("small", {}, "of the diagonal; as a length ", number("span", "status.deviation.maximum", "length")));
+    element("small", {}, "of the diagonal, or ", number("span", "status.deviation.maximum", "length")));
   if (report.beside && report.beside.deviation)
     deviation.append(element("small", {}, `${nameOf(report.beside.file)}: `, number("span", "beside.deviation.maximum_relative", "percent")));
   byId("summary").append(
@@ -151,11 +152,11 @@ function fillCharts() {
     })), {
       low: 0, high: Math.max(...withDeviations.map(m => m.largestDeviation)), parts: 40,
       title: "Number of places of the surface by their distance from the reference", xTitle: "distance of vertices and centers of faces from the reference",
-      format: formats.length,
+      format: short,
     });
   else
     byId("deviation-histogram").append(element("p", { class: "note" }, "All vertices of the boundary and centers of its faces are on the reference."));
-  convergence(byId("convergence"), report.iterations, color("after"));
+  convergence(byId("convergence"), status_.before, report.iterations, color("after"));
 }
 
 // --- the view -------------------------------------------------------------------
@@ -181,7 +182,7 @@ function fillLegend(viewer) {
   }
   else if (viewer.coloring === "deviation") {
     const d = viewer.largestDeviation;
-    scale("Distance from the reference, as a length", scales.deviation, d > 0 ? [0, .25, .5, .75, 1].map(t => formats.length(t * d)) : ["0"]);
+    scale("Distance from the reference, as a length", scales.deviation, d > 0 ? [0, .25, .5, .75, 1].map(t => short(t * d)) : ["0"]);
     swatch(neutralColor, "inside");
   }
   else if (viewer.coloring === "label")
@@ -230,6 +231,7 @@ function addView() {
     viewer.hasEdges = byId("edges").checked;
     viewer.focus = null;
     viewer.rebuild();
+    viewer.resize();
     fillLegend(viewer);
     fillNames(viewer);
     sayThreshold();
@@ -250,7 +252,7 @@ function addView() {
     const hit = viewer.pick(event.clientX - box.left, event.clientY - box.top);
     byId("picked").textContent = hit ? describe(hit.mesh, hit.hexahedron) : "";
   });
-  new ResizeObserver(() => { viewer.render(); fillNames(viewer); }).observe(byId("view"));
+  new ResizeObserver(() => { viewer.resize(); fillNames(viewer); }).observe(byId("view"));
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => viewer.rebuild());
   update();
   return viewer;
@@ -289,7 +291,7 @@ function addPlaces(viewer, title, count, columns, row) {
 
 function fillPlaces(viewer) {
   const after = meshes.find(m => m.role === "after"), before = meshes.find(m => m.role === "before");
-  const inSpace = p => p.map(formats.length).join(", ");
+  const inSpace = p => p.map(short).join(", ");
   const absolute = p => inSpace(p.toArray().map((x, c) => x + data.origin[c]));
   const hexahedron = h => ({ text: h, focus: { hexahedron: h }, words: describe(after, h) });
   const hexahedronColumns = [{ name: "hexahedron" }, { name: "before" }, { name: "after" }];
@@ -298,8 +300,8 @@ function fillPlaces(viewer) {
   const { invalid_hexahedra: invalid, released_vertices: released, connectivity_limits: limits } = status_;
   addPlaces(viewer, "Invalid hexahedra", invalid.length, [...hexahedronColumns, { name: "center", isText: true }],
     i => [hexahedron(invalid[i].id), ...qualities(invalid[i].id), inSpace(invalid[i].center)]);
-  const order = Array.from(after.jacobians.keys()).sort((a, b) => after.jacobians[a] - after.jacobians[b]).slice(0, 1000);
-  addPlaces(viewer, after.size > order.length ? "Worst hexahedra, the first" : "Hexahedra, the worst first", order.length,
+  const order = Array.from(after.jacobians.keys()).sort((a, b) => after.jacobians[a] - after.jacobians[b]).slice(0, 200);
+  addPlaces(viewer, `The worst of ${formats.count(after.size)} hexahedra`, order.length,
     [...hexahedronColumns, { name: "center", isText: true }], i => [hexahedron(order[i]), ...qualities(order[i]), absolute(after.center(order[i]))]);
   addPlaces(viewer, "Released vertices, which are not on the corner, curve or face that they belong to", released.length,
     [{ name: "vertex" }, { name: "distance from the reference" }, { name: "place", isText: true }], i => {
@@ -344,4 +346,4 @@ catch (error) {
   console.error(error);
 }
 fillPlaces(viewer);
-document.documentElement.dataset.isReady = "true";
+requestAnimationFrame(() => { document.documentElement.dataset.isReady = "true"; }); // the view is drawn
