@@ -20,7 +20,6 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -108,10 +107,11 @@ Mesh start(const Surface& surface, Options o)
 // Where the thin faces of the surface are.
 Report_page::Points thin_places(const Surface& surface, const HMO::Meshing_status& status)
 {
+  const std::vector<Surface::Face_index> faces(surface.faces_begin(), surface.faces_end());
   Report_page::Points places;
   for (std::size_t f : status.thin_faces) {
     Kernel::Vector_3 sum(0, 0, 0);
-    for (const auto v : surface.vertices_around_face(surface.halfedge(*std::next(surface.faces_begin(), f)))) {
+    for (const auto v : surface.vertices_around_face(surface.halfedge(faces[f]))) {
       const auto& p = surface.point(v);
       sum = sum + Kernel::Vector_3(p.x(), p.y(), p.z()) / 3;
     }
@@ -128,6 +128,7 @@ void write_page(const Options& o, const Surface& surface, const Mesh& mesh, cons
   set_reference(page, surface);
   page.add_mesh("before", "Start: voxels and layers", before.points, before.hexahedra);
   page.add_mesh("after", "Result", mesh.points, mesh.hexahedra);
+  page.add_reference("Surface");
   page.add_places("thin_places", thin_places(surface, status));
   write_page(page, o, status, report);
 }

@@ -21,8 +21,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -204,61 +206,78 @@ Json json(const Options& o)
                              o);
 }
 
-// Also adds what is measured of the mesh of another program to the report.
-void write_page(const Options& o, const Mesh& before, Mesh after, const Mesh& beside, const Surface_mesh& reference,
-                const Labels& labels, const HMO::Status& status, Json& report)
+// What comes in.
+struct Input
 {
-  if (after.number_of_merged() > 0) // neighbors are to be seen as such
-    for (auto& h : after.hexahedra)
+  Mesh mesh, beside;
+  Surface_mesh reference;
+};
+
+Input read_all(const Options& o)
+{
+  Input input;
+  input.mesh = read(o);
+  if (!o.beside.empty())
+    CGAL::IO::read_hex_mesh(o.beside, input.beside.points, input.beside.hexahedra);
+  if (!o.reference.empty())
+    CGAL::IO::read_surface(o.reference, input.reference);
+  return input;
+}
+
+// The page without the report.
+Report_page page_of(const Options& o, const Input& input, const Mesh& result, const Labels& labels)
+{
+  Report_page::Hexahedra hexahedra = result.hexahedra;
+  if (result.number_of_merged() > 0) // neighbors are to be seen as such
+    for (auto& h : hexahedra)
       for (std::size_t& v : h)
-        v = after.merged_into[v];
+        v = result.merged_into[v];
   Report_page page;
   if (!o.reference.empty())
-    set_reference(page, reference);
-  page.add_mesh("before", "Before", before.points, after.hexahedra);
-  page.add_mesh("after", o.beside.empty() ? "After" : "optimize_hex_mesh", after.points, after.hexahedra);
+    set_reference(page, input.reference);
+  page.add_mesh("before", "Before", input.mesh.points, hexahedra);
+  page.add_mesh("after", o.beside.empty() ? "After" : "optimize_hex_mesh", result.points, hexahedra);
+  page.add_reference(o.reference.empty() ? "Boundary before" : "Reference");
   if (labels.values.size() > 1)
     page.add_labels(labels.numbers);
-  if (!o.beside.empty()) {
-    page.add_mesh("beside", std::filesystem::path(o.beside).filename().string(), beside.points, beside.hexahedra);
-    // of interfaces nothing is measured
-    const bool has_interfaces = labels.values.size() > 1 || !after.attachments.labelled_quadrilaterals().empty();
-    report["beside"] = {{"file", o.beside},
-                        {"after", json(HMO::quality_statistics(beside.points, beside.hexahedra))},
-                        {"deviation", has_interfaces ? Json() : json(page.deviation())}};
-  }
-  write_page(page, o, status, report);
+  if (!o.beside.empty())
+    page.add_mesh("beside", std::filesystem::path(o.beside).filename().string(), input.beside.points,
+                  input.beside.hexahedra);
+  return page;
+}
+
+// What the report says of the mesh of another program, the last one of the page. Of interfaces nothing is measured.
+Json json_of_beside(const Options& o, const Mesh& beside, const Report_page& page, bool has_interfaces)
+{
+  return {{"file", o.beside},
+          {"after", json(HMO::quality_statistics(beside.points, beside.hexahedra))},
+          {"deviation", has_interfaces ? Json() : json(page.deviation())}};
 }
 
 Exit_code run(const Options& options)
 {
   check_outputs(options);
-  Mesh mesh = read(options), beside;
-  if (!options.beside.empty())
-    CGAL::IO::read_hex_mesh(options.beside, beside.points, beside.hexahedra);
-  Surface_mesh reference;
-  if (!options.reference.empty())
-    CGAL::IO::read_surface(options.reference, reference);
+  const Input input = read_all(options);
+  Mesh mesh = input.mesh;
   const std::vector<std::string> lost = losses(mesh, options.output);
   if (!options.quiet)
     for (const std::string& line : lost)
       std::cerr << "warning: not in the output: " << line << '\n';
 
   const Labels labels(mesh.attachments.hexahedron_labels);
-  const Mesh before = options.report.empty() ? Mesh() : mesh;
   HMO::Status status;
   std::vector<HMO::Iteration> iterations;
   {
     Watcher watcher(options.quiet);
     if (options.merge) {
       Mesh one = merged(mesh);
-      status = optimize(one, labels, reference, options, watcher);
+      status = optimize(one, labels, input.reference, options, watcher);
       mesh.merged_into = std::move(one.merged_into);
       for (std::size_t v = 0; v < mesh.points.size(); ++v)
         mesh.points[v] = one.points[mesh.merged_into[v]];
     }
     else
-      status = optimize(mesh, labels, reference, options, watcher);
+      status = optimize(mesh, labels, input.reference, options, watcher);
     iterations = watcher.iterations();
   }
   for (std::size_t h : status.turned_hexahedra)
@@ -276,10 +295,16 @@ Exit_code run(const Options& options)
                        {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
                      {"lost", lost}},
                     iterations);
+  std::optional<Report_page> page;
   if (!options.report.empty())
-    write_page(options, before, mesh, beside, reference, labels, status, report);
+    page = page_of(options, input, mesh, labels);
+  if (!options.beside.empty())
+    report["beside"] = json_of_beside(options, input.beside, *page,
+                                      labels.values.size() > 1 || !labelled_faces(mesh.attachments).empty());
   if (!options.json.empty())
     write_json(options.json, report);
+  if (page)
+    write_page(*page, options, status, report);
   return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
 }
 

@@ -72,6 +72,11 @@ class Mesh {
     return Array.from(this.hexahedra.subarray(8 * h, 8 * h + 8));
   }
 
+  cornersOfSide(side) {
+    const h = Math.floor(side / 6);
+    return hexahedronSides[side % 6].map(k => this.hexahedra[8 * h + k]);
+  }
+
   // The hexahedra that have one of the vertices.
   around(vertices) {
     const wanted = new Set(vertices), result = [];
@@ -105,5 +110,30 @@ class Mesh {
           if (opposite < 0 || !isShown[Math.floor(opposite / 6)])
             visit(side);
         }
+  }
+}
+
+// The surface from which the deviation is measured, with its own distances from the result.
+class Reference {
+  constructor(data) {
+    this.role = "reference";
+    this.name = data.name;
+    this.points = decoded(data.points, Float32Array);
+    const corners = decoded(data.triangles, Uint32Array);
+    this.triangles = [];
+    for (let i = 0; i < corners.length; i += 3)
+      this.triangles.push([corners[i], corners[i + 1], corners[i + 2]]);
+    this.vertexDeviations = decoded(data.deviations_of_vertices, Float32Array);
+    this.triangleDeviations = decoded(data.deviations_of_triangles, Float32Array);
+    this.largestDeviation = [...this.vertexDeviations, ...this.triangleDeviations].reduce((a, b) => Math.max(a, b), 0);
+  }
+
+  center(t) {
+    return [0, 1, 2].map(c => this.triangles[t].reduce((sum, v) => sum + this.points[3 * v + c], 0) / 3);
+  }
+
+  // At the corners of a triangle and at its center.
+  deviations(t) {
+    return [...this.triangles[t].map(v => this.vertexDeviations[v]), this.triangleDeviations[t]];
   }
 }

@@ -82,6 +82,24 @@ std::vector<std::array<int, 4>> outer_faces(const HMO::internal::Face_neighbors&
   return quads;
 }
 
+// From a surface, which must outlive the object.
+class Distances
+{
+public:
+  explicit Distances(const HMO::internal::Triangle_surface& surface) : surface_(surface) {}
+
+  float operator()(const Vector_3& p)
+  {
+    const HMO::internal::Surface_point foot = surface_.closest_point(p, hint_);
+    hint_ = foot.hint; // the next point is not far
+    return static_cast<float>((foot.point - p).norm());
+  }
+
+private:
+  const HMO::internal::Triangle_surface& surface_;
+  std::size_t hint_ = HMO::internal::Surface_point::no_hint;
+};
+
 } // namespace
 
 std::string Report_page::reason_of_absence(const std::string& page)
@@ -143,12 +161,7 @@ void Report_page::add_deviations(Json& mesh, const HMO::internal::Face_neighbors
     set_reference(points_, HMO::internal::split_quads(outer_faces(neighbors)));
   if (reference_->is_empty())
     return;
-  std::size_t hint = HMO::internal::Surface_point::no_hint;
-  const auto distance = [&](const Vector_3& p) {
-    const HMO::internal::Surface_point foot = reference_->closest_point(p, hint);
-    hint = foot.hint;
-    return static_cast<float>((foot.point - p).norm());
-  };
+  Distances distance(*reference_);
   const float none = -1;
   std::vector<float> of_vertices(points_.size(), none), of_sides;
   std::vector<std::uint32_t> sides;
@@ -165,6 +178,38 @@ void Report_page::add_deviations(Json& mesh, const HMO::internal::Face_neighbors
   mesh["deviations"] = {{"of_vertices", as_base64(of_vertices)},
                         {"outer_sides", as_base64(sides)},
                         {"of_outer_sides", as_base64(of_sides)}};
+}
+
+void Report_page::add_reference(const std::string& name)
+{
+  const HMO::internal::Triangle_surface boundary(points_, HMO::internal::split_quads(
+                                                            outer_faces(HMO::internal::Face_neighbors(hexahedra_))));
+  if (boundary.is_empty())
+    return;
+  Distances distance(boundary);
+  Points points; // those that triangles have
+  std::vector<int> number(reference_->points.size(), -1);
+  std::vector<std::uint32_t> triangles;
+  std::vector<float> of_vertices, of_triangles;
+  for (const HMO::internal::Triangle_indices& t : reference_->triangles) {
+    Vector_3 center = Vector_3::Zero();
+    for (int v : t) {
+      const Vector_3& p = reference_->points[v];
+      center += p / 3;
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(points.size());
+        points.emplace_back(p.x(), p.y(), p.z());
+        of_vertices.push_back(distance(p));
+      }
+      triangles.push_back(static_cast<std::uint32_t>(number[v]));
+    }
+    of_triangles.push_back(distance(center));
+  }
+  data_["reference"] = {{"name", name},
+                        {"points", in_base64(points)},
+                        {"triangles", as_base64(triangles)},
+                        {"deviations_of_vertices", as_base64(of_vertices)},
+                        {"deviations_of_triangles", as_base64(of_triangles)}};
 }
 
 HMO::Deviation Report_page::deviation() const

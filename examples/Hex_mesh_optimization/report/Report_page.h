@@ -46,6 +46,9 @@ public:
   // role: "before", "after" or "beside", where the page finds the statistics. name: of the column, for people.
   void add_mesh(const std::string& role, const std::string& name, const Points& points, const Hexahedra& hexahedra);
 
+  // The reference itself, with its distances from the outer boundary of the mesh that was added last.
+  void add_reference(const std::string& name);
+
   // Of the outer boundary of the mesh that was added last, measured as the optimization does.
   CGAL::Hex_mesh_optimization::Deviation deviation() const;
 
@@ -61,7 +64,7 @@ private:
   std::string in_base64(const Points& points) const;
   void add_deviations(Json& mesh, const CGAL::Hex_mesh_optimization::internal::Face_neighbors& neighbors);
 
-  const std::string page_;
+  std::string page_;
   Json data_ = Json::object(), meshes_ = Json::array();
   std::unique_ptr<CGAL::Hex_mesh_optimization::internal::Triangle_surface> reference_;
   CGAL::Hex_mesh_optimization::internal::Vector_3 origin_; // the page has numbers of single precision

@@ -33,13 +33,13 @@ Color_scale.invalid = .5 / Color_scale.size;
 Color_scale.neutral = 1 - .5 / Color_scale.size;
 
 class Viewer {
-  // labels: of the hexahedra of the first mesh, or null.
+  // meshes: with the reference, if there is one. labels: of the hexahedra of the first mesh, or null.
   constructor(canvas, meshes, labels) {
     this.isRequested = false;
     this.canvas = canvas;
     this.meshes = meshes;
     this.labels = labels;
-    this.shown = meshes.slice();
+    this.shown = meshes.filter(m => m.role !== "reference");
     this.coloring = "quality";
     this.cut = { axis: 1, position: .5, isFlipped: false };
     this.threshold = null; // only what is not better than that
@@ -52,11 +52,12 @@ class Viewer {
     };
     this.box = new THREE.Box3();
     for (const mesh of meshes)
-      if (mesh.role !== "before")
+      if (mesh.role === "after" || mesh.role === "beside")
         this.box.union(mesh.box());
     this.radius = Math.max(this.box.getSize(new THREE.Vector3()).length() / 2, 1e-30);
 
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.debug.checkShaderErrors = false; // to ask for them is to wait for them
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(28, 1, 1, 10);
@@ -139,7 +140,7 @@ class Viewer {
   flyTo(focus) {
     this.focus = focus;
     this.rebuild();
-    const mesh = this.shown.find(m => m.role !== "before") || this.shown[0];
+    const mesh = [...this.shown, ...this.meshes].find(m => m.role === "after");
     const box = new THREE.Box3();
     for (const h of this.focused(mesh).around)
       for (const v of mesh.verticesOf(h))
@@ -168,7 +169,7 @@ class Viewer {
       s.theta += turn[0] * Math.PI / 18;
       s.phi = Math.min(Math.max(s.phi + turn[1] * Math.PI / 18, .01), Math.PI - .01);
     }
-    const direction = new THREE.Vector3().setFromSpherical(s).applyQuaternion(this.toYUp().inverse());
+    const direction = new THREE.Vector3().setFromSpherical(s).applyQuaternion(this.toYUp().conjugate());
     this.place(target, direction.normalize(), s.radius * (zoom || 1));
   }
 
@@ -187,15 +188,19 @@ class Viewer {
         solid[h] = 1;
       return { solid, ghost };
     }
-    const { axis, isFlipped } = this.cut;
-    const at = axis < 0 ? 0 : this.cutCoordinate();
     for (let h = 0; h < mesh.size; ++h) {
-      const isKept = axis < 0 || (mesh.centers[3 * h + axis] >= at) !== isFlipped;
+      const isKept = this.isKept(mesh.centers, 3 * h);
       const isBad = this.threshold === null || mesh.isInvalid[h] || mesh.jacobians[h] <= this.threshold;
       solid[h] = isKept && isBad ? 1 : 0;
       ghost[h] = this.threshold !== null ? 1 : 0;
     }
     return { solid, ghost };
+  }
+
+  // The point at a place of an array.
+  isKept(points, at = 0) {
+    const { axis, isFlipped } = this.cut;
+    return axis < 0 || (points[at + axis] >= this.cutCoordinate()) !== isFlipped;
   }
 
   cutCoordinate() {
@@ -213,6 +218,7 @@ class Viewer {
     return { solid: [h], around: mesh.around(mesh.verticesOf(h)) };
   }
 
+  // Of hexahedra.
   numberShown(mesh) { return this.masks(mesh).solid.reduce((a, b) => a + b, 0); }
 
   // --- its geometry -------------------------------------------------------------
@@ -226,7 +232,11 @@ class Viewer {
     };
     this.meshes.forEach((mesh, i) => {
       this.clear(this.groups[i]);
-      if (this.shown.includes(mesh))
+      if (!this.shown.includes(mesh))
+        return;
+      if (mesh.role === "reference")
+        this.buildReference(mesh, this.groups[i]);
+      else
         this.build(mesh, this.groups[i]);
     });
     this.render();
@@ -242,15 +252,12 @@ class Viewer {
 
   build(mesh, group) {
     const { solid, ghost } = this.masks(mesh);
-    const faces = this.faces(mesh, solid);
-    const surface = new THREE.Mesh(faces.geometry, new THREE.MeshLambertMaterial({
-      map: this.scales[this.coloring].texture, side: THREE.DoubleSide,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-    }));
+    const faces = this.faces(mesh, solid), polygons = faces.sides.map(side => mesh.cornersOfSide(side));
+    const surface = this.surface(faces.geometry);
     surface.userData.sides = faces.sides;
     group.add(surface);
     if (this.hasEdges)
-      group.add(this.edges(faces.sides, mesh, .55 * Math.min(1, 40 / Math.sqrt(faces.sides.length)))); // many would be a color
+      group.add(this.edges(mesh, polygons, .55));
     if (this.threshold !== null || this.focus) {
       const behind = this.faces(mesh, ghost);
       group.add(new THREE.Mesh(behind.geometry, new THREE.MeshLambertMaterial({
@@ -259,10 +266,28 @@ class Viewer {
         depthWrite: false, side: THREE.DoubleSide,
       })));
       if (this.focus)
-        group.add(this.edges(behind.sides, mesh, .5));
+        group.add(this.edges(mesh, behind.sides.map(side => mesh.cornersOfSide(side)), .5));
     }
     if (this.focus)
       this.mark(mesh, group);
+  }
+
+  // Of the reference, what the cut leaves of it.
+  buildReference(reference, group) {
+    const kept = Array.from(reference.triangles.keys()).filter(t => this.isKept(reference.center(t)));
+    const triangles = kept.map(t => reference.triangles[t]);
+    const values = i => this.coloring === "deviation" ? reference.deviations(kept[i]).map(d => this.deviationValue(d))
+      : new Array(4).fill(Color_scale.neutral);
+    group.add(this.surface(this.fans(reference.points, triangles, values)));
+    if (this.hasEdges)
+      group.add(this.edges(reference, triangles, .4));
+  }
+
+  surface(geometry) {
+    return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({
+      map: this.scales[this.coloring].texture, side: THREE.DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    }));
   }
 
   value(mesh, h) {
@@ -280,39 +305,44 @@ class Viewer {
     return deviation < 0 ? Color_scale.neutral : Color_scale.of(deviation / (this.largestDeviation || 1));
   }
 
-  // Four triangles for each side, around its center: no diagonal is preferred.
+  // The sides between what is shown of a mesh and what is not.
   faces(mesh, isShown) {
     const sides = [];
     mesh.forVisibleSides(isShown, side => sides.push(side));
-    const positions = new Float32Array(36 * sides.length), normals = new Float32Array(36 * sides.length);
-    const coordinates = new Float32Array(24 * sides.length).fill(.5);
-    const p = mesh.points, center = [0, 0, 0], byDeviation = this.coloring === "deviation";
-    sides.forEach((side, i) => {
-      const h = Math.floor(side / 6), corners = hexahedronSides[side % 6].map(k => mesh.hexahedra[8 * h + k]);
-      for (let c = 0; c < 3; ++c)
-        center[c] = (p[3 * corners[0] + c] + p[3 * corners[1] + c] + p[3 * corners[2] + c] + p[3 * corners[3] + c]) / 4;
-      const isOuter = mesh.sideDeviations[side] >= 0;
-      const constant = byDeviation ? Color_scale.neutral : this.value(mesh, h);
-      for (let k = 0; k < 4; ++k) {
-        const a = corners[k], b = corners[(k + 1) % 4], at = 36 * i + 9 * k;
+    const values = (i, corners) => {
+      if (this.coloring !== "deviation")
+        return new Array(5).fill(this.value(mesh, Math.floor(sides[i] / 6)));
+      if (mesh.sideDeviations[sides[i]] < 0)
+        return new Array(5).fill(Color_scale.neutral);
+      return [...corners.map(v => mesh.vertexDeviations[v]), mesh.sideDeviations[sides[i]]].map(d => this.deviationValue(d));
+    };
+    return { geometry: this.fans(mesh.points, sides.map(side => mesh.cornersOfSide(side)), values), sides };
+  }
+
+  // Triangles around the center of each polygon: no diagonal is preferred. values: of polygon i at its corners and its center.
+  fans(p, polygons, values) {
+    const n = polygons.length > 0 ? polygons[0].length : 0;
+    const positions = new Float32Array(9 * n * polygons.length), normals = new Float32Array(9 * n * polygons.length);
+    const coordinates = new Float32Array(6 * n * polygons.length).fill(.5);
+    polygons.forEach((corners, i) => {
+      const center = [0, 1, 2].map(c => corners.reduce((sum, v) => sum + p[3 * v + c], 0) / n);
+      const ofPolygon = values(i, corners);
+      for (let k = 0; k < n; ++k) {
+        const next = (k + 1) % n, at = 9 * (n * i + k);
         for (let c = 0; c < 3; ++c) {
-          positions[at + c] = p[3 * a + c];
-          positions[at + 3 + c] = p[3 * b + c];
+          positions[at + c] = p[3 * corners[k] + c];
+          positions[at + 3 + c] = p[3 * corners[next] + c];
           positions[at + 6 + c] = center[c];
         }
         this.setNormal(positions, normals, at);
-        const ofTriangle = byDeviation && isOuter
-          ? [mesh.vertexDeviations[a], mesh.vertexDeviations[b], mesh.sideDeviations[side]].map(d => this.deviationValue(d))
-          : [constant, constant, constant];
-        for (let j = 0; j < 3; ++j)
-          coordinates[24 * i + 6 * k + 2 * j] = ofTriangle[j];
+        [ofPolygon[k], ofPolygon[next], ofPolygon[n]].forEach((value, j) => { coordinates[6 * (n * i + k) + 2 * j] = value; });
       }
     });
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
     geometry.setAttribute("uv", new THREE.BufferAttribute(coordinates, 2));
-    return { geometry, sides };
+    return geometry;
   }
 
   setNormal(positions, normals, at) {
@@ -332,14 +362,10 @@ class Viewer {
     }));
   }
 
-  edges(sides, mesh, opacity) {
-    const vertices = [];
-    for (const side of sides) {
-      const h = Math.floor(side / 6), corners = hexahedronSides[side % 6].map(k => mesh.hexahedra[8 * h + k]);
-      for (let k = 0; k < 4; ++k)
-        vertices.push(corners[k], corners[(k + 1) % 4]);
-    }
-    return this.lines(mesh, vertices, this.colors.edge, opacity);
+  // Of polygons; many of them are drawn so thin that they do not become a color.
+  edges(mesh, polygons, opacity) {
+    const vertices = polygons.flatMap(corners => corners.flatMap((v, k) => [v, corners[(k + 1) % corners.length]]));
+    return this.lines(mesh, vertices, this.colors.edge, opacity * Math.min(1, 40 / Math.sqrt(polygons.length)));
   }
 
   mark(mesh, group) {
@@ -410,7 +436,7 @@ class Viewer {
       caster.setFromCamera(new THREE.Vector2(2 * u - 1, 1 - 2 * v), this.camera);
       const surface = this.groups[this.meshes.indexOf(this.shown[i])].children[0];
       const hit = caster.intersectObject(surface)[0];
-      return hit
+      return hit && surface.userData.sides
         ? { mesh: this.shown[i], hexahedron: Math.floor(surface.userData.sides[Math.floor(hit.faceIndex / 4)] / 6) }
         : null;
     }
@@ -419,7 +445,7 @@ class Viewer {
 
   // The directions of the axes as they appear, for the cross in the corner.
   axes() {
-    const inverse = this.camera.quaternion.clone().inverse();
+    const inverse = this.camera.quaternion.clone().conjugate();
     return [new THREE.Vector3(1, 0, 0), new THREE.Vector3(0, 1, 0), new THREE.Vector3(0, 0, 1)]
       .map(axis => axis.applyQuaternion(inverse));
   }

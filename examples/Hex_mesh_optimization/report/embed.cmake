@@ -13,7 +13,7 @@ foreach(part page.css Mesh.js Viewer.js charts.js page.js)
   string(REPLACE "@${part}@" "${text}" page "${page}")
 endforeach()
 # last: what is in them is not looked through for places
-foreach(part three.min.js examples/js/controls/OrbitControls.js)
+foreach(part build/three.min.js examples/js/controls/OrbitControls.js)
   file(READ ${THREE}/${part} text)
   string(REPLACE "@${part}@" "${text}" page "${page}")
 endforeach()

@@ -6,6 +6,7 @@ const report = data.report, status_ = report.status;
 const meshes = [];
 for (const of of data.meshes)
   meshes.push(new Mesh(of, meshes[0]));
+const reference = data.reference ? new Reference(data.reference) : null;
 const labels = data.labels ? decoded(data.labels, Int32Array) : null;
 
 // --- numbers, with as many digits as mean something -----------------------------
@@ -182,7 +183,7 @@ function fillLegend(viewer) {
   }
   else if (viewer.coloring === "deviation") {
     const d = viewer.largestDeviation;
-    scale("Distance from the reference, as a length", scales.deviation, d > 0 ? [0, .25, .5, .75, 1].map(t => short(t * d)) : ["0"]);
+    scale("Distance from the reference, and of that from the result, as a length", scales.deviation, d > 0 ? [0, .25, .5, .75, 1].map(t => short(t * d)) : ["0"]);
     swatch(neutralColor, "inside");
   }
   else if (viewer.coloring === "label")
@@ -212,20 +213,23 @@ function describe(mesh, h) {
 }
 
 function addView() {
-  const viewer = new Viewer(byId("canvas"), meshes, labels);
+  const all = reference ? [...meshes, reference] : meshes;
+  const viewer = new Viewer(byId("canvas"), all, labels);
   const shown = byId("shown"), coloring = byId("coloring");
-  shown.append(element("option", { value: "all" }, "all side by side"), ...meshes.map((m, i) => element("option", { value: i }, m.name)));
+  shown.append(element("option", { value: "all" }, "all side by side"), ...all.map((m, i) => element("option", { value: i }, m.name)));
   for (const [key, name] of Object.entries(colorings))
     if (key !== "label" || labels)
       coloring.append(element("option", { value: key }, name));
   const sayThreshold = () => {
     const value = Number(byId("threshold").value).toFixed(2);
     byId("threshold-value").textContent = viewer.threshold === null ? `scaled Jacobian ≤ ${value}`
-      : `≤ ${value}: ${viewer.shown.map(m => formats.count(viewer.numberShown(m))).join(" / ")}`;
+      : `≤ ${value}: ${viewer.shown.filter(m => m !== reference).map(m => formats.count(viewer.numberShown(m))).join(" / ")}`;
   };
   const update = () => {
-    viewer.shown = shown.value === "all" ? meshes.slice() : [meshes[Number(shown.value)]];
     viewer.coloring = coloring.value;
+    // with their distances from each other, the results and the reference
+    const together = viewer.coloring === "deviation" && reference ? [...results, reference] : meshes;
+    viewer.shown = shown.value === "all" ? together : [all[Number(shown.value)]];
     viewer.cut = { axis: Number(byId("cut-axis").value), position: Number(byId("cut-position").value), isFlipped: byId("cut-flipped").checked };
     viewer.threshold = byId("worst").checked ? Number(byId("threshold").value) : null;
     viewer.hasEdges = byId("edges").checked;

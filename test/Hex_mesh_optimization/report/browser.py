@@ -11,6 +11,12 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.support.ui import WebDriverWait
 
 
+def set_size(driver, width, height):
+    """Of what is seen of the page: a window has a least width, which phones are below."""
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                           {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+
 @contextlib.contextmanager
 def opened(page, width=1200, height=900, scheme="light"):
     """The driver of a browser that shows a page of a report, drawn completely."""
@@ -27,9 +33,7 @@ def opened(page, width=1200, height=900, scheme="light"):
         driver.execute_cdp_cmd("Network.enable", {})
         driver.execute_cdp_cmd("Network.emulateNetworkConditions",
                                {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
-        # a window has a least width, which phones are below
-        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                               {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        set_size(driver, width, height)
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia",
                                {"features": [{"name": "prefers-color-scheme", "value": scheme},
                                              {"name": "prefers-reduced-motion", "value": "reduce"}]})
