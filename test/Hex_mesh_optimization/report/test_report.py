@@ -200,9 +200,9 @@ class Page(unittest.TestCase):
 class Optimized(Page):
     @classmethod
     def make(cls):
-        # a name with what would end the data
-        tangled = cls.folder / "tangled </script> & '.mesh"
-        run("generate_hex_mesh", "plate_with_hole", tangled, "--refine", "1", "--corrupt", "scramble", "--seed", "1")
+        # a name with what would keep the data from ending
+        tangled = cls.folder / "tangled <!--<script> & '.mesh"
+        run("generate_hex_mesh", "plate_with_hole", tangled, "--refine", "2", "--corrupt", "scramble", "--seed", "1")
         run("optimize_hex_mesh", tangled, cls.folder / "out.mesh", "--quiet", "--json", cls.json, "--report", cls.page)
 
     def test_what_came_in_was_not_valid(self):
