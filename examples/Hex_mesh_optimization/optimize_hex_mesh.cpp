@@ -224,6 +224,8 @@ Input read_all(const Options& o)
   return input;
 }
 
+std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
 // The page without the report.
 Report_page page_of(const Options& o, const Input& input, const Mesh& result, const Labels& labels)
 {
@@ -236,13 +238,12 @@ Report_page page_of(const Options& o, const Input& input, const Mesh& result, co
   if (!o.reference.empty())
     set_reference(page, input.reference);
   page.add_mesh("before", "Before", input.mesh.points, hexahedra);
-  page.add_mesh("after", o.beside.empty() ? "After" : "optimize_hex_mesh", result.points, hexahedra);
+  page.add_mesh("after", o.beside.empty() ? "After" : name_of(o.output), result.points, hexahedra);
   page.add_reference(o.reference.empty() ? "Boundary before" : "Reference");
   if (labels.values.size() > 1)
     page.add_labels(labels.numbers);
   if (!o.beside.empty())
-    page.add_mesh("beside", std::filesystem::path(o.beside).filename().string(), input.beside.points,
-                  input.beside.hexahedra);
+    page.add_mesh("beside", name_of(o.beside), input.beside.points, input.beside.hexahedra);
   return page;
 }
 

@@ -48,9 +48,11 @@ function fillHeader() {
   byId("title").append(nameOf(input === undefined ? surface : input), element("span", { class: "arrow" }, "→"), nameOf(output));
   if (report.beside)
     byId("title").append(element("span", { class: "arrow" }, "beside"), nameOf(report.beside.file));
-  const invalid = status_.after.number_of_invalid;
   const say = (isGood, text) => byId("verdict").append(element("span", { class: `verdict ${isGood ? "good" : "bad"}` }, text));
-  say(status_.valid_mesh, status_.valid_mesh ? "Valid: every hexahedron is certified" : `Not valid: ${plural(invalid, "hexahedron is", "hexahedra are")} not certified`);
+  for (const mesh of results) {
+    const invalid = at(roles[mesh.role].statistics).number_of_invalid, whose = report.beside ? ` ${mesh.name}` : "";
+    say(invalid === 0, invalid === 0 ? `Valid${whose && " is"}${whose}: every hexahedron is certified` : `Not valid${whose && " is"}${whose}: ${plural(invalid, "hexahedron is", "hexahedra are")} not certified`);
+  }
   if (status_.deviation_bound !== null)
     say(status_.is_within_deviation_bound, status_.is_within_deviation_bound ? "Within the bound of the deviation" : "The bound of the deviation is not shown to be met");
   if (status_.has_topology_of_surface === false)
@@ -183,7 +185,7 @@ function fillLegend(viewer) {
   }
   else if (viewer.coloring === "deviation") {
     const d = viewer.largestDeviation;
-    scale("Distance from the reference, and of that from the result, as a length", scales.deviation, d > 0 ? [0, .25, .5, .75, 1].map(t => short(t * d)) : ["0"]);
+    scale("Distance between result and reference, as a length", scales.deviation, d > 0 ? [0, .25, .5, .75, 1].map(t => short(t * d)) : ["0"]);
     swatch(neutralColor, "inside");
   }
   else if (viewer.coloring === "label")
@@ -231,6 +233,7 @@ function addView() {
     const together = viewer.coloring === "deviation" && reference ? [...results, reference] : meshes;
     viewer.shown = shown.value === "all" ? together : [all[Number(shown.value)]];
     viewer.cut = { axis: Number(byId("cut-axis").value), position: Number(byId("cut-position").value), isFlipped: byId("cut-flipped").checked };
+    byId("view").style.setProperty("--meshes", viewer.shown.length);
     viewer.threshold = byId("worst").checked ? Number(byId("threshold").value) : null;
     viewer.hasEdges = byId("edges").checked;
     viewer.focus = null;
