@@ -50,8 +50,9 @@ function fillHeader() {
     byId("title").append(element("span", { class: "arrow" }, "beside"), nameOf(report.beside.file));
   const say = (isGood, text) => byId("verdict").append(element("span", { class: `verdict ${isGood ? "good" : "bad"}` }, text));
   for (const mesh of results) {
-    const invalid = at(roles[mesh.role].statistics).number_of_invalid, whose = report.beside ? ` ${mesh.name}` : "";
-    say(invalid === 0, invalid === 0 ? `Valid${whose && " is"}${whose}: every hexahedron is certified` : `Not valid${whose && " is"}${whose}: ${plural(invalid, "hexahedron is", "hexahedra are")} not certified`);
+    const invalid = at(roles[mesh.role].statistics).number_of_invalid;
+    const [good, bad] = report.beside ? [`${mesh.name} is valid`, `${mesh.name} is not valid`] : ["Valid", "Not valid"];
+    say(invalid === 0, invalid === 0 ? `${good}: every hexahedron is certified` : `${bad}: ${plural(invalid, "hexahedron is", "hexahedra are")} not certified`);
   }
   if (status_.deviation_bound !== null)
     say(status_.is_within_deviation_bound, status_.is_within_deviation_bound ? "Within the bound of the deviation" : "The bound of the deviation is not shown to be met");
