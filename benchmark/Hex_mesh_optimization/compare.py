@@ -6,8 +6,8 @@
 compare.py --other "PROGRAM {in} {out}" [--ours "build/bin/optimize_hex_mesh {in} {out}"] [--output-extension .mesh]
            [--pages FOLDER] FILE ...
 
-Both outputs are measured by the statistics of optimize_hex_mesh, with its certificate of validity. With --pages, there is a
-page for each file that shows both results side by side."""
+Both outputs are measured by the statistics of optimize_hex_mesh, with its certificate of validity. With --pages, there
+are a page for each file that shows both results side by side, NAME.html, and the results, NAME.ours.* and NAME.other.*."""
 
 import argparse
 import csv
@@ -23,7 +23,7 @@ parser.add_argument("files", nargs="+", metavar="FILE")
 parser.add_argument("--other", required=True, help="command line with {in} and {out}")
 parser.add_argument("--ours", default="build/bin/optimize_hex_mesh {in} {out}", help="command line with {in} and {out}")
 parser.add_argument("--output-extension", default=".mesh", help="of the files written: .mesh, .vtk or .vtu")
-parser.add_argument("--pages", metavar="FOLDER", help="write a page for each file, with both results side by side")
+parser.add_argument("--pages", metavar="FOLDER", help="keep the results and write a page for each file")
 arguments = parser.parse_args()
 
 optimizer = fill_in(arguments.ours, "", "")[0]
@@ -34,6 +34,8 @@ failed = False
 
 def measure(file, name, template, output):
     """Runs a program and adds its row to the table; returns whether there is a result."""
+    if os.path.exists(output):
+        os.remove(output)
     cost = Cost(fill_in(template, file, output))
     s = statistics(optimizer, output) if os.path.exists(output) else None
     quality = [s["number_of_inverted"], s["number_of_invalid"], f"{s['minimum']:.4f}", f"{s['average']:.4f}",
@@ -43,20 +45,21 @@ def measure(file, name, template, output):
     return s is not None
 
 
-def write_page(file, ours, other):
+def write_page(file, ours, other, page):
     """Runs the optimizer once more: what the page costs is in no table."""
-    os.makedirs(arguments.pages, exist_ok=True)
-    page = os.path.join(arguments.pages, os.path.basename(file) + ".html")
     subprocess.run([*fill_in(arguments.ours, file, ours), "--report", page, "--beside", other], stdout=subprocess.DEVNULL)
     return os.path.exists(page)
 
 
-for file in arguments.files:
-    with tempfile.TemporaryDirectory() as folder:
-        ours, other = (os.path.join(folder, name + arguments.output_extension) for name in ("ours", "other"))
+with tempfile.TemporaryDirectory() as scratch:
+    folder = arguments.pages or scratch
+    os.makedirs(folder, exist_ok=True)
+    for file in arguments.files:
+        base = os.path.join(folder, os.path.splitext(os.path.basename(file))[0])
+        ours, other = (f"{base}.{name}{arguments.output_extension}" for name in ("ours", "other"))
         has_ours = measure(file, "ours", arguments.ours, ours)
         has_other = measure(file, "other", arguments.other, other)
         failed = failed or not (has_ours and has_other)
         if arguments.pages and has_other:
-            failed = not write_page(file, ours, other) or failed
+            failed = not write_page(file, ours, other, base + ".html") or failed
 sys.exit(1 if failed else 0)
