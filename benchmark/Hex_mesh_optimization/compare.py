@@ -32,10 +32,15 @@ table.writerow(["file", "program", "exit_code", "inverted", "invalid", "minimum"
 failed = False
 
 
+def remove(file):
+    """Of an earlier run, that it is not taken for a result of this one."""
+    if os.path.exists(file):
+        os.remove(file)
+
+
 def measure(file, name, template, output):
     """Runs a program and adds its row to the table; returns whether there is a result."""
-    if os.path.exists(output):
-        os.remove(output)
+    remove(output)
     cost = Cost(fill_in(template, file, output))
     s = statistics(optimizer, output) if os.path.exists(output) else None
     quality = [s["number_of_inverted"], s["number_of_invalid"], f"{s['minimum']:.4f}", f"{s['average']:.4f}",
@@ -47,6 +52,7 @@ def measure(file, name, template, output):
 
 def write_page(file, ours, other, page):
     """Runs the optimizer once more: what the page costs is in no table."""
+    remove(page)
     subprocess.run([*fill_in(arguments.ours, file, ours), "--report", page, "--beside", other], stdout=subprocess.DEVNULL)
     return os.path.exists(page)
 
