@@ -365,7 +365,7 @@ class Viewer {
   // Of polygons; many of them are drawn so thin that they do not become a color.
   edges(mesh, polygons, opacity) {
     const vertices = polygons.flatMap(corners => corners.flatMap((v, k) => [v, corners[(k + 1) % corners.length]]));
-    return this.lines(mesh, vertices, this.colors.edge, opacity * Math.min(1, 40 / Math.sqrt(polygons.length)));
+    return this.lines(mesh, vertices, this.colors.edge, opacity * Math.min(1, 32 / Math.sqrt(polygons.length)));
   }
 
   mark(mesh, group) {
