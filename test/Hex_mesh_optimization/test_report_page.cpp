@@ -7,11 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
+
+#include <sys/wait.h>
 
 namespace {
 
@@ -26,10 +30,15 @@ std::string quoted(const std::vector<const char*>& words)
   return command_line(static_cast<int>(words.size()), words.data());
 }
 
-TEST(Report_page, says_what_is_missing_where_it_cannot_be_written)
+TEST(Report_page, is_refused_before_all_work_where_it_cannot_be_written)
 {
-  EXPECT_NE(Report_page::reason_of_absence("").find("libjs-three"), std::string::npos);
   EXPECT_EQ(Report_page::reason_of_absence("<html>"), "");
+  const int status = std::system(OPTIMIZE_HEX_MESH_WITHOUT_PAGE
+                                 " no_such.mesh out.mesh --report page.html 2>report_page.err");
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 2); // and not that of a file that cannot be read
+  EXPECT_NE(text("report_page.err").find("libjs-three"), std::string::npos);
+  std::filesystem::remove("report_page.err");
 }
 
 TEST(Report_page, has_data_that_do_not_end_their_element)
