@@ -179,6 +179,8 @@ class Page(unittest.TestCase):
             self.choose("coloring", option.get_attribute("value"))
             pictures.add(self.picture())
         self.assertEqual(len(pictures), len(self.all("#coloring option")))
+        self.choose("coloring", "deviation")
+        self.assertIn(self.all("#view-names span")[-1].text, ("Boundary before", "Surface"))  # with its own distances
         self.choose("coloring", "quality")
 
     def test_a_click_in_a_list_flies_there(self):
