@@ -11,7 +11,7 @@ from PIL import Image
 from browser import opened
 
 page, picture = sys.argv[1:]
-with opened(page, width=1200, height=1020) as driver:
+with opened(page, width=1200, height=975) as driver:
     image = Image.open(io.BytesIO(driver.get_screenshot_as_png())).convert("RGB")
 # a palette makes it a third as large
 image.quantize(256, dither=Image.Dither.NONE).save(picture, optimize=True)

@@ -57,7 +57,7 @@ class Page(unittest.TestCase):
         cls.page, cls.json = cls.folder / "page.html", cls.folder / "report.json"
         cls.make()
         cls.report = json.loads(cls.json.read_text())
-        cls.browser = opened(cls.page)
+        cls.browser = opened(cls.page, width=900, height=600)
         cls.driver = cls.browser.__enter__()
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
 
