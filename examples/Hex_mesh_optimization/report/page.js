@@ -17,7 +17,7 @@ const formats = {
   count: n => n.toLocaleString("en-US"),
   quality: x => minus(x.toFixed(4)),
   length: x => minus(x === 0 ? "0" : Math.abs(x) >= 1e-3 && Math.abs(x) < 1e4 ? x.toPrecision(4) : x.toExponential(3)),
-  percent: x => x === 0 ? "0 %" : `${x >= 1e-5 ? (100 * x).toPrecision(3) : (100 * x).toExponential(2)} %`,
+  percent: x => x === 0 ? "0 %" : minus(`${x >= 1e-5 ? (100 * x).toPrecision(3) : (100 * x).toExponential(2)} %`),
   seconds: x => x >= 100 ? `${x.toFixed(0)} s` : x >= 1 ? `${x.toPrecision(3)} s` : `${x.toFixed(2)} s`,
 };
 const short = x => minus(String(Number(x.toPrecision(3))));
