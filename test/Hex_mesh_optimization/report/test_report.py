@@ -16,11 +16,9 @@ from selenium.webdriver.common.by import By
 from browser import opened, set_size
 
 programs = pathlib.Path(sys.argv.pop()).resolve()
-BOX = """OFF
-8 6 0
-0 0 0 3 0 0 3 1 0 0 1 0 0 0 1 3 0 1 3 1 1 0 1 1
-4 0 3 2 1  4 4 5 6 7  4 0 1 5 4  4 1 2 6 5  4 2 3 7 6  4 3 0 4 7
-"""
+BOX = "OFF\n8 6 0\n" + "".join(f"{line}\n" for line in (
+    "0 0 0", "1.1 0 0", "1.1 1 0", "0 1 0", "0 0 1", "1.1 0 1", "1.1 1 1", "0 1 1",
+    "4 0 3 2 1", "4 4 5 6 7", "4 0 1 5 4", "4 1 2 6 5", "4 2 3 7 6", "4 3 0 4 7"))
 
 
 def run(program, *arguments):
@@ -42,15 +40,13 @@ def shown_number(text, form):
     return float(mantissa) * scale, .5000001 * 10.0 ** -decimals * scale
 
 
-class Page(unittest.TestCase):
-    """What holds for each page; subclasses make one, and the JSON of the same run."""
+class Page:
+    """What holds for each page; a test case makes one, and the JSON of the same run."""
 
     beside = False
 
     @classmethod
     def setUpClass(cls):
-        if cls is Page:
-            raise unittest.SkipTest("has no page")
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
@@ -62,6 +58,8 @@ class Page(unittest.TestCase):
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
 
     def setUp(self):
+        for id, value in (("coloring", "quality"), ("cut-axis", "1"), ("cut-position", "0.5"), ("worst", False)):
+            self.choose(id, value)
         self.driver.execute_script("document.getElementById('view').scrollIntoView()")
 
     def all(self, selector):
@@ -137,8 +135,11 @@ class Page(unittest.TestCase):
         counts = {text.partition(":")[0]: int(count) for text, count in self.driver.execute_script(
             "return Array.from(document.querySelectorAll('#places details'), d => [d.textContent, d.dataset.count])")}
         status = self.report["status"]
-        for title, member in (("Invalid hexahedra", "invalid_hexahedra"), ("Hexahedra that the connectivity limits", "connectivity_limits")):
-            self.assertEqual(counts.get(title, 0), len(status[member]))
+        for title, member in (("Invalid hexahedra", "invalid_hexahedra"),
+                              ("Released vertices, which are not on the corner, curve or face that they belong to", "released_vertices"),
+                              ("Hexahedra that the connectivity limits", "connectivity_limits"),
+                              ("Faces of the surface that are thin for the spacing", "thin_faces")):
+            self.assertEqual(counts.get(title, 0), len(status.get(member, [])))
 
     def test_the_view_is_drawn_and_turns(self):
         self.assertGreater(len(self.colors()), 20)
@@ -158,8 +159,6 @@ class Page(unittest.TestCase):
         self.choose("cut-axis", "0")
         self.choose("cut-position", "0.9")
         self.assertGreater(background(), whole)
-        self.choose("cut-axis", "1")
-        self.choose("cut-position", "0.5")
 
     def test_only_the_worst_are_shown(self):
         before = self.picture()
@@ -171,7 +170,6 @@ class Page(unittest.TestCase):
               (m.isInvalid[i] || m.jacobians[i] <= .5)).length)""")
         self.assertEqual(numbers, wanted)
         self.assertNotEqual(before, self.picture())
-        self.choose("worst", False)
 
     def test_every_coloring_is_another_picture(self):
         pictures = set()
@@ -180,8 +178,7 @@ class Page(unittest.TestCase):
             pictures.add(self.picture())
         self.assertEqual(len(pictures), len(self.all("#coloring option")))
         self.choose("coloring", "deviation")
-        self.assertIn(self.all("#view-names span")[-1].text, ("Boundary before", "Surface"))  # with its own distances
-        self.choose("coloring", "quality")
+        self.assertIn(self.all("#view-names span")[-1].text, ("Boundary before", "Reference", "Surface"))  # with its own distances
 
     def test_a_click_in_a_list_flies_there(self):
         before = self.picture()
@@ -199,32 +196,50 @@ class Page(unittest.TestCase):
             self.assertEqual(self.driver.execute_script("return [innerWidth, document.documentElement.scrollWidth]"), [width, width])
 
 
-class Optimized(Page):
+class Stopped(Page, unittest.TestCase):
+    """A run that ended at once, before the boundary came to the reference: there are places of most kinds."""
+
     @classmethod
     def make(cls):
         # a name with what would keep the data from ending
-        tangled = cls.folder / "tangled <!--<script> & '.mesh"
-        run("generate_hex_mesh", "plate_with_hole", tangled, "--refine", "2", "--corrupt", "scramble", "--seed", "1")
-        run("optimize_hex_mesh", tangled, cls.folder / "out.mesh", "--quiet", "--json", cls.json, "--report", cls.page)
+        tangled, reference = cls.folder / "tangled <!--<script> & '.mesh", cls.folder / "reference.off"
+        run("generate_hex_mesh", "block", tangled, "--refine", "3", "--corrupt", "scramble", "--seed", "1")
+        reference.write_text(BOX)
+        run("optimize_hex_mesh", tangled, cls.folder / "out.mesh", "--reference", reference, "--on-surface", "--time-limit", "0", "--quiet",
+            "--json", cls.json, "--report", cls.page)
 
-    def test_what_came_in_was_not_valid(self):
-        self.assertGreater(self.report["status"]["before"]["number_of_invalid"], 0)
+    def test_there_are_places(self):
+        for member in ("invalid_hexahedra", "released_vertices"):
+            self.assertGreater(len(self.report["status"][member]), 0)
+
+    def test_a_released_vertex_is_shown(self):
+        vertex = self.report["status"]["released_vertices"][0]
+        before = self.picture()
+        details = next(d for d in self.all("#places details") if d.text.startswith("Released"))
+        details.find_element(By.TAG_NAME, "summary").click()
+        details.find_element(By.CSS_SELECTOR, "tbody button").click()
+        self.assertTrue(self.all("#picked")[0].text.startswith(f"Vertex {vertex},"))
+        self.assertNotEqual(before, self.picture())
+        self.all("#whole")[0].click()
 
     def test_the_command_repeats_the_run(self):
         self.json.unlink()
-        subprocess.run([f"{programs}/{self.all('#command')[0].text}"], shell=True, check=True)
+        subprocess.run([f"{programs}/{self.all('#command')[0].text}"], shell=True)
         self.assertEqual(json.loads(self.json.read_text())["status"]["after"], self.report["status"]["after"])
 
 
-class Made(Page):
+class Made(Page, unittest.TestCase):
     @classmethod
     def make(cls):
         (cls.folder / "box.off").write_text(BOX)
-        run("make_hex_mesh", cls.folder / "box.off", cls.folder / "out.mesh", "--cells", "100", "--quiet", "--json", cls.json,
-            "--report", cls.page)
+        run("make_hex_mesh", cls.folder / "box.off", cls.folder / "out.mesh", "--spacing", ".25", "--across", "9", "--quiet",
+            "--json", cls.json, "--report", cls.page)
+
+    def test_some_faces_are_thin(self):
+        self.assertGreater(len(self.report["status"]["thin_faces"]), 0)
 
 
-class Compared(Page):
+class Compared(Page, unittest.TestCase):
     beside = True
 
     @classmethod
