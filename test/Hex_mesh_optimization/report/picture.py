@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Hex_mesh_optimization authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of the top of a page of --report: picture.py PAGE PICTURE.png"""
+"""A picture of the top of a page of --report: picture.py PAGE PICTURE.png
+
+Needs Pillow (Debian: python3-pil)."""
 
 import io
 import sys
