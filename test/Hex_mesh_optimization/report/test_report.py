@@ -22,7 +22,7 @@ BOX = "OFF\n8 6 0\n" + "".join(f"{line}\n" for line in (
 
 
 def run(program, *arguments):
-    return subprocess.run([programs / program, *arguments], stdout=subprocess.DEVNULL).returncode
+    return subprocess.run([programs / program, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
 
 
 def at(report, path):
@@ -221,6 +221,12 @@ class Stopped(Page, unittest.TestCase):
         self.assertTrue(self.all("#picked")[0].text.startswith(f"Vertex {vertex},"))
         self.assertNotEqual(before, self.picture())
         self.all("#whole")[0].click()
+
+    def test_a_page_that_cannot_be_written_is_refused_before_all_work(self):
+        mesh, output = next(self.folder.glob("tangled*")), self.folder / "refused.mesh"
+        self.assertEqual(run("optimize_hex_mesh", mesh, output, "--report", self.folder / "missing" / "page.html"), 3)
+        self.assertEqual(run("optimize_hex_mesh", mesh, output, "--beside", mesh), 2)  # on no page
+        self.assertFalse(output.exists())
 
     def test_the_command_repeats_the_run(self):
         self.json.unlink()
