@@ -55,7 +55,8 @@ function fillHeader() {
     say(invalid === 0, invalid === 0 ? `${good}: every hexahedron is certified` : `${bad}: ${plural(invalid, "hexahedron is", "hexahedra are")} not certified`);
   }
   if (status_.deviation_bound !== null)
-    say(status_.is_within_deviation_bound, status_.is_within_deviation_bound ? "Within the bound of the deviation" : "The bound of the deviation is not shown to be met");
+    say(status_.is_within_deviation_bound, status_.is_within_deviation_bound ? "Within the bound of the deviation"
+      : `The bound of the deviation is not ${status_.deviation.maximum > status_.deviation_bound ? "" : "shown to be "}met`);
   if (status_.has_topology_of_surface === false)
     say(false, "Not the topology of the surface");
   byId("verdict").append(element("span", {}, `Stopped after ${plural(status_.iterations, "iteration", "iterations")}: ${data.why_it_stopped}.`));
@@ -155,11 +156,11 @@ function fillCharts() {
       name: m.name, role: m.role, color: color(m.role), values: [...m.vertexDeviations, ...m.sideDeviations].filter(d => d >= 0),
     })), {
       low: 0, high: Math.max(...withDeviations.map(m => m.largestDeviation)), parts: 40,
-      title: "Number of places of the surface by their distance from the reference", xTitle: "distance of vertices and centers of faces from the reference",
+      title: "Number of places of the surface by their distance from the reference", xTitle: "distance from the reference, of vertices and middles of outer faces",
       format: short,
     });
   else
-    byId("deviation-histogram").append(element("p", { class: "note" }, "All vertices of the boundary and centers of its faces are on the reference."));
+    byId("deviation-histogram").append(element("p", { class: "note" }, "All vertices and middles of outer faces are on the reference."));
   convergence(byId("convergence"), status_.before, report.iterations, color("after"));
 }
 
