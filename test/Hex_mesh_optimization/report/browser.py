@@ -40,6 +40,7 @@ def opened(page, width=1200, height=900, scheme="light"):
         driver.get(pathlib.Path(page).resolve().as_uri())
         WebDriverWait(driver, 60).until(
             lambda d: d.execute_script("return document.documentElement.dataset.isReady") == "true")
+        driver.implicitly_wait(60)  # lists are filled when they are opened, soon
         yield driver
     finally:
         driver.quit()
