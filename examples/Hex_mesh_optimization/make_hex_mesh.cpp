@@ -94,12 +94,48 @@ HMO::Meshing_status make(const Surface& surface, const Options& o, Mesh& mesh, W
   });
 }
 
+// The mesh that the optimization starts from.
+Mesh start(const Surface& surface, Options o)
+{
+  Mesh mesh;
+  o.time_limit = 0;
+  Watcher nobody(true);
+  make(surface, o, mesh, nobody);
+  return mesh;
+}
+
+// Where the thin faces of the surface are.
+Report_page::Points thin_places(const Surface& surface, const HMO::Meshing_status& status)
+{
+  const std::vector<Surface::Face_index> faces(surface.faces_begin(), surface.faces_end());
+  Report_page::Points places;
+  for (std::size_t f : status.thin_faces) {
+    Kernel::Vector_3 sum(0, 0, 0);
+    for (const auto v : surface.vertices_around_face(surface.halfedge(faces[f]))) {
+      const auto& p = surface.point(v);
+      sum = sum + Kernel::Vector_3(p.x(), p.y(), p.z()) / 3;
+    }
+    places.push_back(CGAL::ORIGIN + sum);
+  }
+  return places;
+}
+
+void write_page(const Options& o, const Surface& surface, const Mesh& mesh, const HMO::Meshing_status& status,
+                const Json& report)
+{
+  const Mesh before = start(surface, o);
+  Report_page page;
+  set_reference(page, surface);
+  page.add_mesh("before", "Start: voxels and layers", before.points, before.hexahedra);
+  page.add_mesh("after", "Result", mesh.points, mesh.hexahedra);
+  page.add_reference("Surface");
+  page.add_places("thin_places", thin_places(surface, status));
+  write_page(page, o, status, report);
+}
+
 Exit_code run(const Options& options)
 {
-  check_output(options.output);
-  if (!options.json.empty())
-    check_writable(options.json);
-
+  check_outputs(options);
   Surface surface;
   CGAL::IO::read_surface(options.surface, surface);
   if (options.repair)
@@ -127,13 +163,15 @@ Exit_code run(const Options& options)
                 << (options.across == 1 ? " cell" : " cells") << " behind them: parts there are thin for the spacing, "
                 << text(status.spacing) << (options.json.empty() ? " (--json lists them)" : "") << ".\n";
   }
-  if (!options.json.empty()) {
-    Json of_status = json(status, mesh);
-    of_status["spacing"] = status.spacing;
-    of_status["has_topology_of_surface"] = status.has_topology_of_surface;
-    of_status["thin_faces"] = status.thin_faces;
-    write_json(options.json, {{"options", json(options)}, {"status", of_status}}, iterations);
-  }
+  Json of_status = json(status, mesh);
+  of_status["spacing"] = status.spacing;
+  of_status["has_topology_of_surface"] = status.has_topology_of_surface;
+  of_status["thin_faces"] = status.thin_faces;
+  const Json report = with_iterations({{"options", json(options)}, {"status", of_status}}, iterations);
+  if (!options.json.empty())
+    write_json(options.json, report);
+  if (!options.report.empty())
+    write_page(options, surface, mesh, status, report);
   return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
 }
 
@@ -142,5 +180,6 @@ int main(int argc, char** argv)
   CLI::App app("Makes a hexahedral mesh of the volume that a triangle surface bounds.");
   Options options;
   add_options(app, options);
+  options.command = command_line(argc, argv);
   return run_program(app, argc, argv, [&] { return run(options); });
 }

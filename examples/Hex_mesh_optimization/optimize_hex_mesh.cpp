@@ -9,6 +9,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
 #include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/property_map.h>
@@ -20,8 +21,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -41,7 +44,7 @@ const char* const exit_codes =
 
 struct Options : Common_options
 {
-  std::string input, reference, frozen, label_array;
+  std::string input, reference, frozen, label_array, beside;
   bool merge = false;
   bool fixed_boundary = defaults.fixed_boundary;
   std::string method = "full";
@@ -91,6 +94,10 @@ void add_options(CLI::App& app, Options& o)
     ->check(count)
     ->capture_default_str();
   add_common_options(app, o);
+  app
+    .add_option("--beside", o.beside, "what another program made of INPUT, to be shown on the page of --report as well")
+    ->type_name("MESH")
+    ->needs(app.get_option("--report"));
 }
 
 // What becomes of the file beside points and hexahedra: one line for each thing that is lost.
@@ -156,7 +163,9 @@ std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_
   return result;
 }
 
-HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher& watcher)
+// reference: used if the options name one
+HMO::Status optimize(Mesh& mesh, const Labels& labels, const Surface_mesh& reference, const Options& o,
+                     Watcher& watcher)
 {
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
@@ -175,9 +184,6 @@ HMO::Status optimize(Mesh& mesh, const Labels& labels, const Options& o, Watcher
                                                                    : HMO::Target_edge_lengths::ESTIMATED)
                     .number_of_iterations(o.iterations)
                     .number_of_restarts(o.restarts);
-  Surface_mesh reference;
-  if (!o.reference.empty())
-    CGAL::IO::read_surface(o.reference, reference);
   return in_threads(o.threads, [&] {
     using Tag = CGAL::Parallel_if_available_tag;
     return o.reference.empty() ? CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, np)
@@ -200,13 +206,60 @@ Json json(const Options& o)
                              o);
 }
 
+// What comes in.
+struct Input
+{
+  Mesh mesh, beside;
+  Surface_mesh reference;
+};
+
+Input read_all(const Options& o)
+{
+  Input input;
+  input.mesh = read(o);
+  if (!o.beside.empty())
+    CGAL::IO::read_hex_mesh(o.beside, input.beside.points, input.beside.hexahedra);
+  if (!o.reference.empty())
+    CGAL::IO::read_surface(o.reference, input.reference);
+  return input;
+}
+
+std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+// The page without the report.
+Report_page page_of(const Options& o, const Input& input, const Mesh& result, const Labels& labels)
+{
+  Report_page::Hexahedra hexahedra = result.hexahedra;
+  if (result.number_of_merged() > 0) // neighbors are to be seen as such
+    for (auto& h : hexahedra)
+      for (std::size_t& v : h)
+        v = result.merged_into[v];
+  Report_page page;
+  if (!o.reference.empty())
+    set_reference(page, input.reference);
+  page.add_mesh("before", "Before", input.mesh.points, hexahedra);
+  page.add_mesh("after", o.beside.empty() ? "After" : name_of(o.output), result.points, hexahedra);
+  page.add_reference(o.reference.empty() ? "Boundary before" : "Reference");
+  if (labels.values.size() > 1)
+    page.add_labels(labels.numbers);
+  if (!o.beside.empty())
+    page.add_mesh("beside", name_of(o.beside), input.beside.points, input.beside.hexahedra);
+  return page;
+}
+
+// What the report says of the mesh of another program, the last one of the page. Of interfaces nothing is measured.
+Json json_of_beside(const Options& o, const Mesh& beside, const Report_page& page, bool has_interfaces)
+{
+  return {{"file", o.beside},
+          {"after", json(HMO::quality_statistics(beside.points, beside.hexahedra))},
+          {"deviation", has_interfaces ? Json() : json(page.deviation())}};
+}
+
 Exit_code run(const Options& options)
 {
-  check_output(options.output);
-  if (!options.json.empty())
-    check_writable(options.json);
-
-  Mesh mesh = read(options);
+  check_outputs(options);
+  const Input input = read_all(options);
+  Mesh mesh = input.mesh;
   const std::vector<std::string> lost = losses(mesh, options.output);
   if (!options.quiet)
     for (const std::string& line : lost)
@@ -219,13 +272,13 @@ Exit_code run(const Options& options)
     Watcher watcher(options.quiet);
     if (options.merge) {
       Mesh one = merged(mesh);
-      status = optimize(one, labels, options, watcher);
+      status = optimize(one, labels, input.reference, options, watcher);
       mesh.merged_into = std::move(one.merged_into);
       for (std::size_t v = 0; v < mesh.points.size(); ++v)
         mesh.points[v] = one.points[mesh.merged_into[v]];
     }
     else
-      status = optimize(mesh, labels, options, watcher);
+      status = optimize(mesh, labels, input.reference, options, watcher);
     iterations = watcher.iterations();
   }
   for (std::size_t h : status.turned_hexahedra)
@@ -234,16 +287,25 @@ Exit_code run(const Options& options)
   CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.quiet)
     print_report(status, mesh, labels);
+  Json report =
+    with_iterations({{"options", json(options)},
+                     {"status", json(status, mesh, labels)},
+                     {"number_of_merged_vertices", mesh.number_of_merged()},
+                     {"labels",
+                      {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
+                       {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
+                     {"lost", lost}},
+                    iterations);
+  std::optional<Report_page> page;
+  if (!options.report.empty())
+    page = page_of(options, input, mesh, labels);
+  if (!options.beside.empty())
+    report["beside"] = json_of_beside(options, input.beside, *page,
+                                      labels.values.size() > 1 || !labelled_faces(mesh.attachments).empty());
   if (!options.json.empty())
-    write_json(options.json,
-               {{"options", json(options)},
-                {"status", json(status, mesh, labels)},
-                {"number_of_merged_vertices", mesh.number_of_merged()},
-                {"labels",
-                 {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
-                  {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
-                {"lost", lost}},
-               iterations);
+    write_json(options.json, report);
+  if (page)
+    write_page(*page, options, status, report);
   return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
 }
 
@@ -253,5 +315,6 @@ int main(int argc, char** argv)
                "connectivity allows.");
   Options options;
   add_options(app, options);
+  options.command = command_line(argc, argv);
   return run_program(app, argc, argv, [&] { return run(options); });
 }

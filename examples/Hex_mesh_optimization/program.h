@@ -4,7 +4,10 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_PROGRAM_H
 #define CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_PROGRAM_H
 
-// The manners that the command-line programs share: exit codes, progress, interruption, the report in words and as JSON.
+// The manners that the command-line programs share: exit codes, progress, interruption, the report in words, as JSON and as a
+// page.
+
+#include "report/Report_page.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
@@ -58,7 +61,8 @@ struct Common_options
 {
   const HMO::internal::Optimization_parameters defaults;
 
-  std::string output, json;
+  std::string command; // all of the command line
+  std::string output, json, report;
   double features_angle = defaults.features.angle_bound;
   bool on_surface = defaults.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
   double target_quality = defaults.target_quality;
@@ -94,6 +98,9 @@ inline void add_common_options(CLI::App& app, Common_options& o)
     ->check(CLI::Range(1, 1024).description(""))
     ->capture_default_str();
   app.add_option("--json", o.json, "write the report, with every iteration, to this file")->type_name("FILE");
+  app.add_option("--report", o.report, "write a page to look at, in one .html file: meshes, numbers, places")
+    ->type_name("FILE")
+    ->check(CLI::Validator([](const std::string&) { return Report_page::reason_of_absence(); }, ""));
   app.add_flag("--quiet", o.quiet, "print nothing but errors");
 }
 
@@ -234,6 +241,14 @@ inline void check_output(const std::string& filename)
   if (extension != "mesh" && extension != "vtk" && extension != "vtu")
     CGAL::Hex_mesh_optimization::internal::IO::refuse_extension(filename);
   check_writable(filename);
+}
+
+inline void check_outputs(const Common_options& o)
+{
+  check_output(o.output);
+  for (const std::string& report : {o.json, o.report})
+    if (!report.empty())
+      check_writable(report);
 }
 
 // What work() returns; its parallel algorithms have so many threads, or one where there is no TBB.
@@ -399,6 +414,16 @@ inline Json json(const HMO::Quality_statistics& s)
           {"edge_ratio_99", s.edge_ratio_99}};
 }
 
+inline Json json(const HMO::Deviation& d)
+{
+  return {{"average", d.average},
+          {"maximum", d.maximum},
+          {"average_relative", d.average_relative},
+          {"maximum_relative", d.maximum_relative},
+          {"certified", d.certified},
+          {"bilinear", d.bilinear}};
+}
+
 inline Json json(HMO::Stage stage)
 {
   switch (stage) {
@@ -453,13 +478,7 @@ inline Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labe
           {"volume_after", status.volume_after},
           {"regions", regions},
           {"interfaces", interfaces},
-          {"deviation",
-           {{"average", status.deviation.average},
-            {"maximum", status.deviation.maximum},
-            {"average_relative", status.deviation.average_relative},
-            {"maximum_relative", status.deviation.maximum_relative},
-            {"certified", status.deviation.certified},
-            {"bilinear", status.deviation.bilinear}}},
+          {"deviation", json(status.deviation)},
           {"is_within_deviation_bound", status.is_within_deviation_bound()},
           {"iterations", status.iterations},
           {"rectification_seconds", status.rectification_seconds},
@@ -474,14 +493,36 @@ inline Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labe
 }
 
 // report: what stands before the iterations.
-inline void write_json(const std::string& filename, Json report, const std::vector<HMO::Iteration>& iterations)
+inline Json with_iterations(Json report, const std::vector<HMO::Iteration>& iterations)
 {
   report["iterations"] = Json::array();
   for (const HMO::Iteration& i : iterations)
     report["iterations"].push_back(json(i));
+  return report;
+}
+
+inline void write_json(const std::string& filename, const Json& report)
+{
   CGAL::Hex_mesh_optimization::internal::IO::Atomic_file file(filename);
   file.text() = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names may be in any encoding
   file.commit();
+}
+
+// report: as for write_json()
+inline void write_page(Report_page& page, const Common_options& o, const HMO::Status& status, const Json& report)
+{
+  page.add("command", o.command);
+  page.add("why_it_stopped", in_words(status.return_code));
+  page.write(o.report, std::filesystem::path(o.output).filename().string(), report);
+}
+
+// The surface from which the page measures deviations.
+template <class Triangle_mesh>
+void set_reference(Report_page& page, const Triangle_mesh& surface)
+{
+  HMO::internal::Reference_input reference =
+    HMO::internal::triangle_mesh_to_reference(surface, CGAL::parameters::default_values());
+  page.set_reference(std::move(reference.points), std::move(reference.triangles));
 }
 
 // What run() returns, or the exit code of what it throws or the command line deserves.

@@ -1,0 +1,19 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Hex_mesh_optimization authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A picture of the top of a page of --report: picture.py PAGE PICTURE.png
+
+Needs Pillow (Debian: python3-pil)."""
+
+import io
+import sys
+
+from PIL import Image
+
+from browser import opened
+
+page, picture = sys.argv[1:]
+with opened(page, width=1200, height=975) as driver:
+    image = Image.open(io.BytesIO(driver.get_screenshot_as_png())).convert("RGB")
+# a palette makes it a third as large
+image.quantize(256, dither=Image.Dither.NONE).save(picture, optimize=True)
