@@ -332,6 +332,7 @@ TEST(Hexahedron_energy, does_not_depend_on_the_numbering)
   for_random_elements(20, [&](const Element& e, std::mt19937&) {
     for (const auto& rotation : rotations) {
       Element image;
+      image.certainty = e.certainty;
       for (int i = 0; i < 8; ++i) {
         image.x[i] = e.x[rotation[i]];
         image.floor[i] = e.floor[rotation[i]];
