@@ -148,8 +148,10 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
  *
  * makes the same mesh as a linear cell complex.
  *
+ * \param tmesh the surface, see `Hex_mesh_optimization::check_surface()`
  * \param lcc an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
  *        `Linear_cell_complex_for_generalized_map<3,3,...>`, cleared first; unchanged if the function throws
+ * \param np optional named parameters among those listed above
  */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class LCC,
           class NamedParameters = parameters::Default_named_parameters

@@ -12,7 +12,7 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * Why the connectivity limits the quality of a hexahedron. Of several reasons with the same limit, the first one of
  * this list is named.
  */
@@ -27,7 +27,7 @@ enum class Connectivity_limit_reason {
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * A hexahedron whose scaled Jacobian is bounded by the connectivity of the mesh, wherever its vertices are. Only other
  * connectivity, or a boundary that leaves the surface, makes it better.
  *
@@ -56,7 +56,7 @@ struct Connectivity_limit
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * returns the reason in words that continue "The quality of this hexahedron is limited because".
  */
 inline const char* description(Connectivity_limit_reason reason)

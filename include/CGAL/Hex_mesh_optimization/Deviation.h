@@ -11,7 +11,7 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * Two-sided distance between the boundary of the mesh and the reference surface, measured at the vertices of both and
  * at points spread evenly over both. Average and maximum are each the larger one of both directions.
  *

@@ -15,6 +15,7 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
+ * \ingroup PkgHexMeshOptimizationResults
  * Thrown before anything is moved when a mesh, a reference surface or a
  * parameter cannot be used. `what()` and `message()` name the element.
  */
@@ -24,13 +25,17 @@ public:
   /// The kind of the element at fault; `element_index()` counts in the order of the input.
   enum class Element { MESH, VERTEX, HEXAHEDRON, REFERENCE_VERTEX, REFERENCE_FACE, PARAMETER };
 
+  /// index: of the element, 0 for those that are one of a kind.
   Input_error(Element element, std::size_t index, const std::string& message)
     : CGAL::Precondition_exception("CGAL", "valid input", "", 0, message)
     , element_(element)
     , index_(index)
   {}
 
+  /// What is at fault.
   Element element() const { return element_; }
+
+  /// Which one of its kind.
   std::size_t element_index() const { return index_; }
 
 private:

@@ -12,7 +12,7 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The quality of a hexahedral mesh in a few numbers. All qualities are free of a unit. In a mesh without
  * hexahedra, every number is 0.
  */

@@ -19,34 +19,34 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The volume of all hexahedra with one label.
  */
 struct Region_volume
 {
-  int label;
+  int label;     ///< Of the hexahedra.
   double before; ///< Of the mesh that came in; as trilinear maps, where they fold with their signs.
   double after;  ///< Of the mesh as it is now.
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * What became of the faces between the hexahedra of two labels, or of the internal faces within one.
  */
 struct Interface_statistics
 {
-  std::array<int, 2> labels; ///< In increasing order.
-  std::size_t number_of_faces;
-  Deviation deviation; ///< Two-sided, from where the faces were.
+  std::array<int, 2> labels;   ///< In increasing order.
+  std::size_t number_of_faces; ///< Quadrangles between the two labels.
+  Deviation deviation;         ///< Two-sided, from where the faces were.
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The result of `CGAL::optimize_hex_mesh()`.
  */
 struct Status
 {
-  Return_code return_code = Return_code::NO_IMPROVEMENT;
+  Return_code return_code = Return_code::NO_IMPROVEMENT; ///< Why it stopped.
 
   Quality_statistics before; ///< Of the mesh that came in.
   Quality_statistics after;  ///< Of the mesh as it is now.
@@ -88,6 +88,7 @@ struct Status
   /// that are connected through faces agree with each other, and the volume that their boundary encloses is positive.
   std::vector<std::size_t> turned_hexahedra;
 
+  /// The number of `turned_hexahedra`.
   std::size_t number_of_turned_hexahedra() const { return turned_hexahedra.size(); }
 
   /// How many vertices would be gone if those were merged that faces of the boundary have in the same places: hexahedra

@@ -13,12 +13,12 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The state after one iteration.
  */
 struct Iteration
 {
-  Stage stage;
+  Stage stage;           ///< The part of the optimization that it belongs to.
   std::size_t iteration; ///< Counted from 0 within the stage.
   double energy;         ///< Of the stage, after the iteration (eq. 25 of the paper for rectification); scale-free.
   std::size_t number_of_inverted; ///< Hexahedra with a corner of scaled Jacobian at most 0.
@@ -28,8 +28,10 @@ struct Iteration
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
- * The visitor that does nothing. A visitor is any class with this member function.
+ * \ingroup PkgHexMeshOptimizationResults
+ * The visitor that does nothing.
+ *
+ * \cgalModels{HexMeshOptimizationVisitor}
  */
 struct Default_visitor
 {

@@ -48,7 +48,7 @@ enum class Edge_length_update {
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The parts an optimization consists of.
  */
 enum class Stage {
@@ -58,7 +58,7 @@ enum class Stage {
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * returns the name of a stage, in lower case.
  */
 inline const char* name(Stage stage)
@@ -75,7 +75,7 @@ inline const char* name(Stage stage)
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * Why an optimization stopped. None of these says that the mesh is valid: ask `Status::valid_mesh()`.
  */
 enum class Return_code {
@@ -88,7 +88,7 @@ enum class Return_code {
   NO_IMPROVEMENT           ///< Nothing better than the input was found: all positions are as they were.
 };
 
-/// \ingroup PkgHexMeshOptimizationRef
+/// \ingroup PkgHexMeshOptimizationQuality
 /// The answer of `hexahedron_validity()`.
 enum class Validity {
   VALID,    ///< The Jacobian determinant is positive everywhere in the hexahedron: proven.

@@ -19,7 +19,7 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationGenerators
  *
  * divides every hexahedron into `n`³ by the lattice of its trilinear map. Vertices keep their indices, the new ones
  * follow; the parts of a hexahedron take its place. O(`n`³ · hexahedra · log).

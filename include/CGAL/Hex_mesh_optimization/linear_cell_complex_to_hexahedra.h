@@ -274,6 +274,9 @@ void linear_cell_complex_to_hexahedra(const LCC& lcc, PointRange& points, Hexahe
  * \tparam VertexRange a model of `BackInsertionSequence` whose value type is the descriptor of a vertex attribute,
  *         `LCC::Vertex_attribute_descriptor` (before \cgal 5.6, `LCC::Vertex_attribute_handle`)
  *
+ * \param lcc the linear cell complex
+ * \param points the points, replaced
+ * \param hexahedra the hexahedra, replaced
  * \param vertices the vertex attributes in the order of `points`, replaced
  */
 template <class LCC, class PointRange, class HexahedronRange, class VertexRange>

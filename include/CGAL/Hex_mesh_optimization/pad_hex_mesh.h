@@ -125,6 +125,7 @@ std::vector<std::size_t> pad_hex_mesh(PointRange& points, HexahedronRange& hexah
  *
  * \param lcc an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
  *        `Linear_cell_complex_for_generalized_map<3,3,...>`
+ * \param np optional named parameters among those listed above
  */
 template <class LCC, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING

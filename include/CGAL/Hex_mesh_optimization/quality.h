@@ -22,7 +22,7 @@
 
 namespace CGAL::Hex_mesh_optimization {
 
-/// \ingroup PkgHexMeshOptimizationRef
+/// \ingroup PkgHexMeshOptimizationQuality
 /// @{
 
 /*!

@@ -18,7 +18,7 @@
 
 namespace CGAL::Hex_mesh_optimization {
 
-/// \ingroup PkgHexMeshOptimizationRef
+/// \ingroup PkgHexMeshOptimizationQuality
 /// @{
 
 /*!

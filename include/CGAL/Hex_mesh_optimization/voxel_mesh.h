@@ -107,8 +107,11 @@ Hex_mesh_optimization::Voxel_status voxel_mesh(const TriangleMesh& tmesh, double
  *
  * makes the same mesh as a linear cell complex.
  *
+ * \param tmesh the surface, see `Hex_mesh_optimization::check_surface()`
+ * \param spacing the length of the cells
  * \param lcc an instance of `Linear_cell_complex_for_combinatorial_map<3,3,...>` or
- *        `Linear_cell_complex_for_generalized_map<3,3,...>`, cleared first
+ *        `Linear_cell_complex_for_generalized_map<3,3,...>`, cleared first; unchanged if the function throws
+ * \param np optional named parameters among those listed above
  */
 template <class TriangleMesh, class LCC, class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING

@@ -19,14 +19,14 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * A cell of a mesh file that is no hexahedron: a vertex, a line, a polygon.
  */
 struct Hex_mesh_cell
 {
   int type = 0; ///< in the numbering of VTK: 1 for a vertex, 3 for a line, 5 for a triangle, 9 for a quadrilateral, ...
-  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> vertices; ///< in the order of VTK
 
   /// from a Medit file, or from the array that the labels of the hexahedra are from; else 0
   std::int64_t label = 0;
@@ -36,17 +36,18 @@ struct Hex_mesh_cell
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * What a file holds beside points and hexahedra. Readers replace all members. Writers write all that their format can
  * hold; `CGAL::IO::lost_attachments()` tells what it cannot.
  */
 struct Hex_mesh_attachments
 {
+  /// A quadrilateral of the file with its label.
   struct Labelled_quadrilateral
   {
     std::array<std::size_t, 4> vertices; ///< in order around it
-    std::int64_t label;
+    std::int64_t label;                  ///< 0 if it has none
   };
 
   /// one label per point, or empty: the last number of a vertex in a Medit file, the array `medit:ref` in a VTK file

@@ -17,7 +17,7 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * An array of a `.vtk` or `.vtu` file, with the type that its values have there.
  */
@@ -44,10 +44,10 @@ struct Hex_mesh_data_array
                               std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>,
                               std::vector<double>, std::vector<bool>, std::vector<std::string>>;
 
-  std::string name;
-  Role role = Role::NONE;
-  std::size_t number_of_components = 1;
-  Values values; ///< tuple after tuple
+  std::string name;                     ///< as in the file
+  Role role = Role::NONE;               ///< what it is for
+  std::size_t number_of_components = 1; ///< of a tuple
+  Values values;                        ///< tuple after tuple
 
   /// the name of the type in a `.vtk` file, where several stand for it (`long`, `vtkIdType`), or empty
   std::string type_name;
@@ -66,6 +66,7 @@ struct Hex_mesh_data_array
     return std::visit([](const auto& v) { return v.size(); }, values);
   }
 
+  /// the number of whole tuples
   std::size_t number_of_tuples() const { return number_of_components == 0 ? 0 : size() / number_of_components; }
 };
 

@@ -13,13 +13,14 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * Thrown when a file cannot be read or written. `what()` reads "file:line: reason".
  */
 class Hex_mesh_file_error : public std::runtime_error
 {
 public:
+  /// line: 0 if none can be named.
   Hex_mesh_file_error(const std::string& file, std::size_t line, const std::string& reason)
     : std::runtime_error(file + (line == 0 ? std::string() : ":" + std::to_string(line)) + ": " + reason)
     , file_(file)

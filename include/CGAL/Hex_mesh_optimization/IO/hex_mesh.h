@@ -46,7 +46,7 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh in the format told by the extension of the file name, in upper or lower case:
  * `.mesh` (`read_medit_hex_mesh()`), `.vtk` (`read_vtk_hex_mesh()`) or `.vtu` (`read_vtu_hex_mesh()`).
@@ -80,7 +80,7 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh as above, without attachments.
  */
@@ -93,7 +93,7 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh as above into a linear cell complex, as
  * `Hex_mesh_optimization::hexahedra_to_linear_cell_complex()` does.
@@ -128,7 +128,7 @@ void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& 
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh into a linear cell complex as above, without attachments.
  */
@@ -140,7 +140,7 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh in the format told by the extension of the file name, in upper or lower case:
  * `.mesh` (`write_medit_hex_mesh()`), `.vtk` (`write_vtk_hex_mesh()`) or `.vtu` (`write_vtu_hex_mesh()`).
@@ -187,7 +187,7 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh as above, without attachments.
  */
@@ -200,7 +200,7 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a linear cell complex of hexahedra as above, in the order of
  * `Hex_mesh_optimization::linear_cell_complex_to_hexahedra()`.
@@ -222,7 +222,7 @@ void write_hex_mesh(const std::string& filename, const LCC& lcc, const Hex_mesh_
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a linear cell complex of hexahedra as above, without attachments.
  */

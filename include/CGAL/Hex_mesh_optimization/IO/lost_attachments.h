@@ -21,7 +21,7 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * returns what of `attachments` is not in a file with the extension of `filename` (`.mesh`, `.vtk`, `.vtu`) after it
  * has been written with `write_hex_mesh()`: one line for each, in words for the user.

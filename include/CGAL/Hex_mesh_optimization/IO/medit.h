@@ -25,7 +25,7 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh from a Medit file (`.mesh`, text).
  *
@@ -57,7 +57,7 @@ void read_medit_hex_mesh(const std::string& filename, PointRange& points, Hexahe
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh to a Medit file (`.mesh`, text).
  *

@@ -79,7 +79,7 @@ void read_polygons(const std::string& filename, std::vector<Point>& points,
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a surface from a file in the format told by the extension of its name, in upper or lower case: `.off`, `.obj`,
  * `.stl`, `.ply`, or the triangles and quadrilaterals of a `.mesh`, `.vtk` (unstructured grid or polygonal data) or

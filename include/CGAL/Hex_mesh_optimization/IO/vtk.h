@@ -33,7 +33,7 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh from a legacy VTK file (`.vtk`), text or binary, versions 1 to 5.
  *
@@ -67,7 +67,7 @@ void read_vtk_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh as above, without attachments.
  */
@@ -79,7 +79,7 @@ void read_vtk_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh to a legacy VTK file (`.vtk`), version 3.0, as an unstructured grid.
  *
@@ -185,7 +185,7 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh as above, without attachments.
  */

@@ -28,7 +28,7 @@
 namespace CGAL::IO {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh from an unstructured grid in the XML format of VTK (`.vtu`).
  *
@@ -63,7 +63,7 @@ void read_vtu_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh as above, without attachments.
  */
@@ -75,7 +75,7 @@ void read_vtu_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh as an unstructured grid in the XML format of VTK (`.vtu`).
  *
@@ -169,7 +169,7 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
 }
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh as above, without attachments.
  */

@@ -252,7 +252,7 @@ private:
     for (int side = 0; side < 2; ++side) {
       const int directed = 2 * static_cast<int>(e) + side;
       const double count = parameters_.cone_weight * cones_.triangles(directed).size();
-      const double factor = penalty_factor(targets[directed], directed);
+      const double factor = parameters_.cone_weight * penalty_factor(targets[directed], directed);
       const Vector_3 pull = parameters_.cone_weight / length * cones_.normal_sum(directed) +
                             factor / scale * targets[directed].direction;
       quadratic += count / (length * length) + factor / (scale * scale);

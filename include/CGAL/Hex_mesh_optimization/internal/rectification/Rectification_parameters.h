@@ -17,7 +17,7 @@ namespace internal {
 
 struct Rectification_parameters
 {
-  // E_Qcone, per base triangle, as in eq. 5.
+  // E_Qcone, per base triangle, as in eq. 5, and E_penalty.
   double cone_weight = 1;
   // E_regularize, eq. 19.
   double regularization_weight = 1;
