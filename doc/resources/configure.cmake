@@ -12,7 +12,7 @@ set(CGAL_PACKAGE_INCLUDE_DIR ${root}/include)
 set(CGAL_EXAMPLE_DIR ${root}/examples)
 set(CGAL_DOC_PACKAGE_DEFAULTS ${OUTPUT_DIRECTORY}/Doxyfile_defaults)
 file(STRINGS ${root}/CMakeLists.txt version REGEX "^project\\(")
-string(REGEX REPLACE ".*VERSION ([0-9.]+).*" "\\1" CGAL_DOC_VERSION ${version})
+string(REGEX REPLACE ".*VERSION ([0-9.]+).*" "package \\1" CGAL_DOC_VERSION ${version})
 
 configure_file(${CGAL_DOC_RESOURCE_DIR}/Doxyfile_defaults.in ${CGAL_DOC_PACKAGE_DEFAULTS})
 configure_file(${CGAL_PACKAGE_DOC_DIR}/Doxyfile.in ${OUTPUT_DIRECTORY}/Doxyfile)
