@@ -37,7 +37,9 @@ struct Iteration
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
- * The visitor that does nothing. A visitor is any class with this member function.
+ * The visitor that does nothing.
+ *
+ * \cgalModels{HexMeshOptimizationVisitor}
  */
 struct Default_visitor
 {
