@@ -1,21 +1,31 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_MAKE_HEX_MESH_H
 #define CGAL_MAKE_HEX_MESH_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // From a triangle surface to a hexahedral mesh of the volume that it bounds.
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Meshing_status.h>
-#include <CGAL/Hex_mesh_optimization/check_surface.h>
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -51,6 +61,29 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   return p;
 }
 
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
+Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& parameters, PointRange& points,
+                         HexahedronRange& hexahedra, const NamedParameters& np)
+{
+  Meshed_surface mesh = mesh_surface(surface, parameters);
+  PointRange new_points;
+  HexahedronRange new_hexahedra;
+  assign_index_ranges(mesh.points, mesh.hexahedra, new_points, new_hexahedra);
+  Meshing_status status;
+  static_cast<Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra, &surface, np);
+  static_cast<Voxel_status&>(status) = std::move(mesh.status);
+  points = std::move(new_points);
+  hexahedra = std::move(new_hexahedra);
+  return status;
+}
+
+// They tell the overloads apart.
+template <class PointRange, class HexahedronRange>
+using Enable_for_new_ranges =
+  std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && !Is_linear_cell_complex<HexahedronRange>::value &&
+                     !Is_named_parameters<HexahedronRange>::value,
+                   int>;
+
 } // namespace internal
 } // namespace Hex_mesh_optimization
 
@@ -66,8 +99,8 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
  *
  * \tparam ConcurrencyTag as of `CGAL::optimize_hex_mesh()`
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam PointRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` of 3D points that can
- *         be constructed from three `double`
+ * \tparam PointRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` whose value type is a
+ *         model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` whose value type
  *         is a random access container of indices of an integral type, either an array of size 8 or resizable
  * \tparam NamedParameters a sequence of named parameters
@@ -75,8 +108,9 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
  * \param tmesh the surface, see `Hex_mesh_optimization::check_surface()`
  * \param points the vertices, replaced
  * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
- * \param np optional named parameters among those listed below, and those of `CGAL::optimize_hex_mesh()` for `tmesh` as
- *        the reference, but for those that have vertices of the mesh as keys
+ * \param np optional named parameters among those listed below, and both lists of `CGAL::optimize_hex_mesh()` with `tmesh`
+ *        as the reference, but for those that need a mesh that exists: `vertex_is_constrained_map()`,
+ *        `hexahedron_label_map()`, `internal_faces()` and `target_edge_length_map()` are refused when the call is compiled
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_hexahedra}
@@ -115,9 +149,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<!Hex_mesh_optimization::internal::Is_linear_cell_complex<PointRange>::value &&
-                             !Hex_mesh_optimization::internal::Is_named_parameters<HexahedronRange>::value,
-                           int> = 0
+          Hex_mesh_optimization::internal::Enable_for_new_ranges<PointRange, HexahedronRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, PointRange& points,
@@ -125,21 +158,51 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
                                                     const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const Meshing_parameters parameters = meshing_parameters(np);
-  const Reference_input surface = triangle_mesh_to_reference(tmesh, np);
-  Surface_check check(surface);
-  Hex_mesher mesher(surface, parameters);
-  PointRange new_points;
-  HexahedronRange new_hexahedra;
-  assign_index_ranges(mesher.mesh.points, mesher.mesh.hexahedra, new_points, new_hexahedra);
   Hex_mesh_optimization::Meshing_status status;
-  static_cast<Hex_mesh_optimization::Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra,
-                                                                                        &surface, np);
-  status.spacing = mesher.spacing;
-  status.has_topology_of_surface = mesher.has_topology_of_surface;
-  status.thin_faces = std::move(mesher.thin_triangles);
-  points = std::move(new_points);
-  hexahedra = std::move(new_hexahedra);
+  if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>() &&
+                accepts_parameters_of_new_mesh<NamedParameters>()) {
+    const Meshing_parameters parameters = meshing_parameters(np);
+    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), parameters, points, hexahedra, np);
+  }
+  return status;
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
+ *
+ * makes a mesh as above of the volume that a triangle soup bounds. Triangles that are neighbors have indices in common and are
+ * oriented alike.
+ *
+ * \tparam SurfacePointRange a range of models of `HexMeshOptimizationPoint_3`
+ * \tparam TriangleRange a range of ranges of three integers
+ *
+ * \param surface_points the points of the soup
+ * \param surface_triangles the indices of the three vertices of each triangle
+ * \param points the vertices, replaced
+ * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
+ * \param np optional named parameters as above; the key of `edge_is_constrained_map()` is a
+ *        `std::pair<std::size_t, std::size_t>`, an edge by the lower and the higher of its indices
+ */
+template <class ConcurrencyTag = CGAL::Sequential_tag, class SurfacePointRange, class TriangleRange, class PointRange,
+          class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          Hex_mesh_optimization::internal::Enable_for_new_ranges<PointRange, HexahedronRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
+#endif
+          >
+Hex_mesh_optimization::Meshing_status
+make_hex_mesh(const SurfacePointRange& surface_points, const TriangleRange& surface_triangles, PointRange& points,
+              HexahedronRange& hexahedra, const NamedParameters& np = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  Hex_mesh_optimization::Meshing_status status;
+  if constexpr (accepts_soup<SurfacePointRange, TriangleRange>() && accepts_edges_of_soup<NamedParameters>() &&
+                accepts_new_mesh<PointRange, HexahedronRange>() && accepts_parameters_of_new_mesh<NamedParameters>()) {
+    const Meshing_parameters parameters = meshing_parameters(np);
+    status = make_mesh<ConcurrencyTag>(triangle_soup_to_reference(surface_points, surface_triangles, np), parameters,
+                                       points, hexahedra, np);
+  }
   return status;
 }
 
@@ -157,7 +220,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<Hex_mesh_optimization::internal::Is_linear_cell_complex<LCC>::value, int> = 0
+          Hex_mesh_optimization::internal::Enable_for_linear_cell_complex<LCC> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, LCC& lcc,

@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The exception that refuses an unusable mesh or reference surface, naming the
 // first element at fault.
@@ -17,7 +25,7 @@ namespace CGAL::Hex_mesh_optimization {
 /*!
  * \ingroup PkgHexMeshOptimizationResults
  * Thrown before anything is moved when a mesh, a reference surface or a
- * parameter cannot be used. `what()` and `message()` name the element.
+ * parameter cannot be used.
  */
 class Input_error : public CGAL::Precondition_exception
 {
@@ -30,7 +38,11 @@ public:
     : CGAL::Precondition_exception("CGAL", "valid input", "", 0, message)
     , element_(element)
     , index_(index)
+    , message_(message)
   {}
+
+  /// The message alone, which names the element: a sentence for the user of a program, not for its author.
+  const char* what() const noexcept override { return message_.c_str(); }
 
   /// What is at fault.
   Element element() const { return element_; }
@@ -41,6 +53,7 @@ public:
 private:
   Element element_;
   std::size_t index_;
+  std::string message_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization

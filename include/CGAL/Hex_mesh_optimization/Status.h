@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_STATUS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_STATUS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What an optimization reports: why it stopped, and what the mesh was and is.
 
@@ -42,7 +50,8 @@ struct Interface_statistics
 
 /*!
  * \ingroup PkgHexMeshOptimizationResults
- * The result of `CGAL::optimize_hex_mesh()`.
+ * The result of `CGAL::optimize_hex_mesh()`. Hexahedra and vertices are listed by their indices; those of a linear cell
+ * complex are the ones that `linear_cell_complex_to_hexahedra()` gives them.
  */
 struct Status
 {

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_INDEX_RANGES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_INDEX_RANGES_H
@@ -11,7 +17,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <CGAL/Container_helper.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -23,13 +28,6 @@
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-template <class T>
-struct Is_named_parameters : std::false_type
-{};
-template <class T, class Tag, class Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{};
 
 // The indices of a cell of n vertices; what cannot be one becomes -1.
 template <std::size_t n, class IndexRange>
@@ -64,7 +62,7 @@ template <class PointRange>
 Positions engine_positions(const PointRange& points)
 {
   Positions result;
-  result.reserve(points.size());
+  result.reserve(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))));
   for (const auto& p : points)
     result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   return result;

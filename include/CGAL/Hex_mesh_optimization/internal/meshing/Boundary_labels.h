@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_BOUNDARY_LABELS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_BOUNDARY_LABELS_H
@@ -38,9 +44,12 @@ public:
         center += foot[v] / 4;
       labels[i] = partition.patch_of_triangle(partition.surface.closest_point(center).triangle);
     }
-    for (int round = 0; round < most_rounds; ++round)
-      if (!smooth() & !drop_islands() & !untouch())
-        break;
+    bool any = true;
+    for (int round = 0; any && round < most_rounds; ++round) {
+      any = smooth();
+      any = drop_islands() || any;
+      any = untouch() || any;
+    }
   }
 
   std::vector<int> labels;

@@ -1,12 +1,18 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESHING_PARAMETERS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESHING_PARAMETERS_H
 
 // What a caller can choose of a mesh that is made from a surface, and what else decides about it.
 
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Patch_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Layer_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 
 #include <cstddef>
