@@ -59,7 +59,7 @@ enum Exit_code { ALL_IS_MET = 0, SOMETHING_IS_NOT_MET = 1, USAGE_ERROR = 2, UNUS
 // Of the optimization, which all programs have.
 struct Common_options
 {
-  const HMO::internal::Optimization_parameters defaults;
+  const HMO::internal::Chosen_parameters defaults;
 
   std::string command; // all of the command line
   std::string output, json, report;

@@ -8,14 +8,15 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Meshing_status.h>
-#include <CGAL/Hex_mesh_optimization/check_surface.h>
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -51,6 +52,22 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   return p;
 }
 
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
+Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& parameters, PointRange& points,
+                         HexahedronRange& hexahedra, const NamedParameters& np)
+{
+  Meshed_surface mesh = mesh_surface(surface, parameters);
+  PointRange new_points;
+  HexahedronRange new_hexahedra;
+  assign_index_ranges(mesh.points, mesh.hexahedra, new_points, new_hexahedra);
+  Meshing_status status;
+  static_cast<Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra, &surface, np);
+  static_cast<Voxel_status&>(status) = std::move(mesh.status);
+  points = std::move(new_points);
+  hexahedra = std::move(new_hexahedra);
+  return status;
+}
+
 } // namespace internal
 } // namespace Hex_mesh_optimization
 
@@ -75,8 +92,9 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
  * \param tmesh the surface, see `Hex_mesh_optimization::check_surface()`
  * \param points the vertices, replaced
  * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
- * \param np optional named parameters among those listed below, and those of `CGAL::optimize_hex_mesh()` for `tmesh` as
- *        the reference, but for those that have vertices of the mesh as keys
+ * \param np optional named parameters among those listed below, and both lists of `CGAL::optimize_hex_mesh()` with `tmesh`
+ *        as the reference, but for those that need a mesh that exists: `vertex_is_constrained_map()`,
+ *        `hexahedron_label_map()`, `internal_faces()` and `target_edge_length_map()` are refused when the call is compiled
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_hexahedra}
@@ -125,21 +143,12 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
                                                     const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const Meshing_parameters parameters = meshing_parameters(np);
-  const Reference_input surface = triangle_mesh_to_reference(tmesh, np);
-  Surface_check check(surface);
-  Hex_mesher mesher(surface, parameters);
-  PointRange new_points;
-  HexahedronRange new_hexahedra;
-  assign_index_ranges(mesher.mesh.points, mesher.mesh.hexahedra, new_points, new_hexahedra);
   Hex_mesh_optimization::Meshing_status status;
-  static_cast<Hex_mesh_optimization::Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra,
-                                                                                        &surface, np);
-  status.spacing = mesher.spacing;
-  status.has_topology_of_surface = mesher.has_topology_of_surface;
-  status.thin_faces = std::move(mesher.thin_triangles);
-  points = std::move(new_points);
-  hexahedra = std::move(new_hexahedra);
+  if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>() &&
+                accepts_parameters_of_new_mesh<NamedParameters>()) {
+    const Meshing_parameters parameters = meshing_parameters(np);
+    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), parameters, points, hexahedra, np);
+  }
   return status;
 }
 

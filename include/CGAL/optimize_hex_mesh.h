@@ -13,8 +13,11 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -33,16 +36,22 @@ namespace CGAL {
 namespace Hex_mesh_optimization {
 namespace internal {
 
-// They tell the four overloads apart.
-template <class LCC, class T>
-using Enable_for_reference =
-  std::enable_if_t<Is_linear_cell_complex<LCC>::value && !Is_named_parameters<T>::value, int>;
-template <class LCC, class T>
-using Enable_for_parameters =
-  std::enable_if_t<Is_linear_cell_complex<LCC>::value && Is_named_parameters<T>::value, int>;
-template <class PointRange, class T, bool last>
+// They tell the overloads apart: a linear cell complex or ranges, followed by named parameters or something else.
+template <class LCC, class... Others>
+using Enable_for_linear_cell_complex =
+  std::enable_if_t<Is_linear_cell_complex<LCC>::value && !(Is_named_parameters<Others>::value || ...), int>;
+template <class PointRange, class... Others>
 using Enable_for_ranges =
-  std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && Is_named_parameters<T>::value == last, int>;
+  std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && !(Is_named_parameters<Others>::value || ...), int>;
+template <class... Lists>
+using Enable_for_parameters = std::enable_if_t<(Is_named_parameters<Lists>::value && ...), int>;
+
+template <class LCC, class NamedParameters>
+constexpr bool accepts_parameters_of_linear_cell_complex()
+{
+  using Types = Linear_cell_complex_types<LCC>;
+  return accepts_parameters_of_mesh<NamedParameters, typename Types::Vertex, typename Types::Dart>();
+}
 
 // point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
 template <class ConcurrencyTag, class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
@@ -56,7 +65,7 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
 #endif
   const Positions before = engine_positions(points);
   Positions after = before;
-  Optimization_parameters parameters = optimization_parameters(np, keys);
+  Chosen_parameters parameters = chosen_parameters(np, keys);
   parameters.is_parallel = is_parallel;
   Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, frozen_vertices(np, keys),
                              parameters);
@@ -131,25 +140,15 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * \tparam LCC `Linear_cell_complex_for_combinatorial_map` or `Linear_cell_complex_for_generalized_map` of dimension 3
  *         and ambient dimension 3, with any items and storage
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam NamedParameters a sequence of named parameters
+ * \tparam NamedParameters1 a sequence of named parameters
+ * \tparam NamedParameters2 a sequence of named parameters
  *
- * \param lcc the mesh; all its volumes are combinatorial hexahedra
+ * \param lcc the mesh; all its volumes are combinatorial hexahedra. The indices of hexahedra and vertices in the result are
+ *        those that `Hex_mesh_optimization::linear_cell_complex_to_hexahedra()` gives them.
  * \param reference the surface that the boundary of the mesh represents
- * \param np optional named parameters among those listed below
+ * \param np1 optional named parameters of the mesh and of the optimization, among those listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{the points of `reference`}
- *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
- *     key}
- *     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, reference)`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{the feature edges of `reference`; takes the place of their detection by angle}
- *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
- *     and `bool` as value}
- *     \cgalParamDefault{edges are detected, see `features_angle_bound`}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{features_angle_bound}
  *     \cgalParamDescription{an edge of the reference is sharp if the normals of its faces differ by more than this
  *                           angle in degrees. Short curves that do not separate two patches of the surface are
@@ -277,13 +276,31 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDescription{sees every iteration and can end the optimization, see
  *     `Hex_mesh_optimization::Default_visitor`;
  *                           pass `std::ref(visitor)` to keep what it collects}
- *     \cgalParamType{a class with the member function of `Hex_mesh_optimization::Default_visitor`}
+ *     \cgalParamType{a model of `HexMeshOptimizationVisitor`}
  *     \cgalParamDefault{`Hex_mesh_optimization::Default_visitor`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{verbose}
  *     \cgalParamDescription{whether a line per iteration goes to `std::cerr`}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np2 optional named parameters of the reference, among those listed below. They are refused in `np1`, and those of
+ *        the mesh in `np2`, when the call is compiled.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of `reference`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
+ *     key}
+ *     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, reference)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{the feature edges of `reference`; takes the place of their detection by angle}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key
+ *     and `bool` as value}
+ *     \cgalParamDefault{edges are detected, see `features_angle_bound`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -304,18 +321,75 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * faster than linearly in the number of hexahedra, its memory linearly.
  */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class LCC, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters
+          class NamedParameters1 = parameters::Default_named_parameters,
+          class NamedParameters2 = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          Hex_mesh_optimization::internal::Enable_for_reference<LCC, TriangleMesh> = 0
+          Hex_mesh_optimization::internal::Enable_for_linear_cell_complex<LCC, TriangleMesh> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters1, NamedParameters2> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& reference,
-                                                const NamedParameters& np = parameters::default_values())
+                                                const NamedParameters1& np1 = parameters::default_values(),
+                                                const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const Reference_input surface = triangle_mesh_to_reference(reference, np);
-  return optimize_linear_cell_complex<ConcurrencyTag>(lcc, &surface, np);
+  Hex_mesh_optimization::Status status;
+  if constexpr (accepts_linear_cell_complex<LCC>() &&
+                accepts_parameters_of_linear_cell_complex<LCC, NamedParameters1>() &&
+                accepts_parameters_of_reference<NamedParameters2>() &&
+                accepts_surface<TriangleMesh, NamedParameters2>()) {
+    const Reference_input surface = triangle_mesh_to_reference(reference, np2);
+    status = optimize_linear_cell_complex<ConcurrencyTag>(lcc, &surface, np1);
+  }
+  return status;
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * optimizes as above with a triangle soup as the reference surface. Triangles that are neighbors have indices in common and
+ * are oriented alike; no edge is in more than two of them.
+ *
+ * \tparam ReferencePointRange a range of models of `HexMeshOptimizationPoint_3`
+ * \tparam TriangleRange a range of ranges of three integers
+ * \tparam NamedParameters1 a sequence of named parameters
+ * \tparam NamedParameters2 a sequence of named parameters
+ *
+ * \param lcc the mesh
+ * \param reference_points the points of the soup
+ * \param reference_triangles the indices of the three vertices of each triangle
+ * \param np1 optional named parameters, those of the mesh above
+ * \param np2 optional named parameters of the reference: `edge_is_constrained_map()`, a model of `ReadablePropertyMap`
+ *        whose key is a `std::pair<std::size_t, std::size_t>`, an edge by the lower and the higher of its indices, and whose
+ *        value converts to `bool`
+ *
+ * \throws Hex_mesh_optimization::Input_error as above, and naming a triangle that does not have three different vertices
+ *         that exist, or is not oriented as a neighbor
+ */
+template <class ConcurrencyTag = CGAL::Sequential_tag, class LCC, class ReferencePointRange, class TriangleRange,
+          class NamedParameters1 = parameters::Default_named_parameters,
+          class NamedParameters2 = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          Hex_mesh_optimization::internal::Enable_for_linear_cell_complex<LCC, ReferencePointRange, TriangleRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters1, NamedParameters2> = 0
+#endif
+          >
+Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const ReferencePointRange& reference_points,
+                                                const TriangleRange& reference_triangles,
+                                                const NamedParameters1& np1 = parameters::default_values(),
+                                                const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  Hex_mesh_optimization::Status status;
+  if constexpr (accepts_linear_cell_complex<LCC>() &&
+                accepts_parameters_of_linear_cell_complex<LCC, NamedParameters1>() &&
+                accepts_soup<ReferencePointRange, TriangleRange>() && accepts_parameters_of_soup<NamedParameters2>()) {
+    const Reference_input surface = triangle_soup_to_reference(reference_points, reference_triangles, np2);
+    status = optimize_linear_cell_complex<ConcurrencyTag>(lcc, &surface, np1);
+  }
+  return status;
 }
 
 /*!
@@ -323,17 +397,25 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& re
  *
  * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface. Its quadrangles
  * are split into triangles from their first corners. `features_angle_bound` applies to the quadrangles.
+ *
+ * \param lcc the mesh
+ * \param np optional named parameters, those of the mesh above
  */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class LCC,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          Hex_mesh_optimization::internal::Enable_for_parameters<LCC, NamedParameters> = 0
+          Hex_mesh_optimization::internal::Enable_for_linear_cell_complex<LCC> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters& np = parameters::default_values())
 {
-  return Hex_mesh_optimization::internal::optimize_linear_cell_complex<ConcurrencyTag>(lcc, nullptr, np);
+  using namespace Hex_mesh_optimization::internal;
+  Hex_mesh_optimization::Status status;
+  if constexpr (accepts_linear_cell_complex<LCC>() && accepts_parameters_of_linear_cell_complex<LCC, NamedParameters>())
+    status = optimize_linear_cell_complex<ConcurrencyTag>(lcc, nullptr, np);
+  return status;
 }
 
 /*!
@@ -345,41 +427,88 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters&
  * those that are connected through faces are made to agree. `hexahedra` itself is not changed;
  * `Status::turned_hexahedra` lists those whose first four vertices are to be exchanged with the last four.
  *
- * \tparam PointRange a model of `RandomAccessContainer` of 3D points
+ * \tparam PointRange a model of `RandomAccessContainer` of models of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight integers
  */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class HexahedronRange, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters
+          class NamedParameters1 = parameters::Default_named_parameters,
+          class NamedParameters2 = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, TriangleMesh, false> = 0
+          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, HexahedronRange, TriangleMesh> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters1, NamedParameters2> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra,
                                                 const TriangleMesh& reference,
-                                                const NamedParameters& np = parameters::default_values())
+                                                const NamedParameters1& np1 = parameters::default_values(),
+                                                const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const Reference_input surface = triangle_mesh_to_reference(reference, np);
-  return optimize_ranges<ConcurrencyTag>(points, hexahedra, &surface, np);
+  Hex_mesh_optimization::Status status;
+  if constexpr (accepts_mesh<PointRange, HexahedronRange>() &&
+                accepts_parameters_of_mesh<NamedParameters1, std::size_t, std::size_t>() &&
+                accepts_parameters_of_reference<NamedParameters2>() &&
+                accepts_surface<TriangleMesh, NamedParameters2>()) {
+    const Reference_input surface = triangle_mesh_to_reference(reference, np2);
+    status = optimize_ranges<ConcurrencyTag>(points, hexahedra, &surface, np1);
+  }
+  return status;
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationRef
  *
- * optimizes as above with the boundary of the mesh, as given, in the place of the reference surface.
+ * optimizes as above a mesh of points and indices with a triangle soup as the reference surface.
+ */
+template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class HexahedronRange,
+          class ReferencePointRange, class TriangleRange, class NamedParameters1 = parameters::Default_named_parameters,
+          class NamedParameters2 = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, HexahedronRange, ReferencePointRange,
+                                                             TriangleRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters1, NamedParameters2> = 0
+#endif
+          >
+Hex_mesh_optimization::Status
+optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra, const ReferencePointRange& reference_points,
+                  const TriangleRange& reference_triangles, const NamedParameters1& np1 = parameters::default_values(),
+                  const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  Hex_mesh_optimization::Status status;
+  if constexpr (accepts_mesh<PointRange, HexahedronRange>() &&
+                accepts_parameters_of_mesh<NamedParameters1, std::size_t, std::size_t>() &&
+                accepts_soup<ReferencePointRange, TriangleRange>() && accepts_parameters_of_soup<NamedParameters2>()) {
+    const Reference_input surface = triangle_soup_to_reference(reference_points, reference_triangles, np2);
+    status = optimize_ranges<ConcurrencyTag>(points, hexahedra, &surface, np1);
+  }
+  return status;
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationRef
+ *
+ * optimizes as above a mesh of points and indices with its boundary, as given, in the place of the reference surface.
  */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class HexahedronRange,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, NamedParameters, true> = 0
+          Hex_mesh_optimization::internal::Enable_for_ranges<PointRange, HexahedronRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const HexahedronRange& hexahedra,
                                                 const NamedParameters& np = parameters::default_values())
 {
-  return Hex_mesh_optimization::internal::optimize_ranges<ConcurrencyTag>(points, hexahedra, nullptr, np);
+  using namespace Hex_mesh_optimization::internal;
+  Hex_mesh_optimization::Status status;
+  if constexpr (accepts_mesh<PointRange, HexahedronRange>() &&
+                accepts_parameters_of_mesh<NamedParameters, std::size_t, std::size_t>())
+    status = optimize_ranges<ConcurrencyTag>(points, hexahedra, nullptr, np);
+  return status;
 }
 
 } // namespace CGAL

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The engine, compiled once for all of the programs of the project.
+// The library CGAL::Hex_mesh_optimization_engine: what is no template, compiled once for all programs.
 
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine_impl.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface_impl.h>

@@ -15,9 +15,9 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationResults
+ * \ingroup PkgHexMeshOptimizationRef
  * Thrown before anything is moved when a mesh, a reference surface or a
- * parameter cannot be used. `what()` and `message()` name the element.
+ * parameter cannot be used.
  */
 class Input_error : public CGAL::Precondition_exception
 {
@@ -30,9 +30,12 @@ public:
     : CGAL::Precondition_exception("CGAL", "valid input", "", 0, message)
     , element_(element)
     , index_(index)
+    , message_(message)
   {}
 
-  /// What is at fault.
+  /// The message alone, which names the element: a sentence for the user of a program, not for its author.
+  const char* what() const noexcept override { return message_.c_str(); }
+
   Element element() const { return element_; }
 
   /// Which one of its kind.
@@ -41,6 +44,7 @@ public:
 private:
   Element element_;
   std::size_t index_;
+  std::string message_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization

@@ -41,8 +41,9 @@ struct Interface_statistics
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationResults
- * The result of `CGAL::optimize_hex_mesh()`.
+ * \ingroup PkgHexMeshOptimizationRef
+ * The result of `CGAL::optimize_hex_mesh()`. Hexahedra and vertices are listed by their indices; those of a linear cell
+ * complex are the ones that `linear_cell_complex_to_hexahedra()` gives them.
  */
 struct Status
 {

@@ -10,10 +10,10 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/insert_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Layer_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/Hex_mesh_optimization/linear_cell_complex_to_hexahedra.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,22 +38,9 @@ std::vector<std::size_t> pad(PointRange& points, HexahedronRange& hexahedra, con
   const double thickness = parameters::choose_parameter(parameters::get_parameter(np, internal_np::hex_layer_thickness),
                                                         Layer_parameters().thickness);
   require(thickness > 0 && thickness < 1, "layer_thickness");
-  Hexahedra mesh;
-  mesh.points = engine_positions(points);
-  mesh.hexahedra = engine_hexahedra(hexahedra);
-  mesh.label.assign(6 * mesh.hexahedra.size(), Hexahedra::no_label);
-  check_hexahedra(mesh);
-  const std::vector<std::ptrdiff_t> opposite = opposite_sides(mesh);
-  std::vector<char> is_marked(opposite.size(), false);
-  std::vector<std::size_t> source;
-  for (std::size_t side = 0; side < opposite.size(); ++side) {
-    is_marked[side] = opposite[side] < 0 || (!labels.empty() && labels[side / 6] != labels[opposite[side] / 6]);
-    if (is_marked[side])
-      source.push_back(side / 6);
-  }
-  insert_layers(mesh, opposite, is_marked, thickness);
+  Padded_mesh mesh = pad_mesh(engine_positions(points), engine_hexahedra(hexahedra), labels, thickness);
   assign_index_ranges(mesh.points, mesh.hexahedra, points, hexahedra);
-  return source;
+  return std::move(mesh.source);
 }
 
 } // namespace internal
@@ -112,9 +100,14 @@ std::vector<std::size_t> pad_hex_mesh(PointRange& points, HexahedronRange& hexah
                                       const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  std::vector<std::size_t> indices(hexahedra.size());
-  std::iota(indices.begin(), indices.end(), std::size_t(0));
-  return pad(points, hexahedra, regions(np, indices).labels, np);
+  std::vector<std::size_t> source;
+  if constexpr (accepts_cells_of_points<PointRange, HexahedronRange>() &&
+                accepts_new_mesh<PointRange, HexahedronRange>() && accepts_labels<NamedParameters, std::size_t>()) {
+    std::vector<std::size_t> indices(hexahedra.size());
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    source = pad(points, hexahedra, regions(np, indices).labels, np);
+  }
+  return source;
 }
 
 /*!

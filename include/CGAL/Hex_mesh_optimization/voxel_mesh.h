@@ -8,25 +8,22 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Meshing_status.h>
-#include <CGAL/Hex_mesh_optimization/check_surface.h>
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/Linear_cell_complex_traits.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
-#include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
-#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -88,18 +85,16 @@ Hex_mesh_optimization::Voxel_status voxel_mesh(const TriangleMesh& tmesh, double
                                                const NamedParameters& np = parameters::default_values())
 {
   using namespace Hex_mesh_optimization::internal;
-  const std::size_t cells_across = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::hex_cells_across), Meshing_parameters().cells_across);
-  require(spacing > 0 && std::isfinite(spacing), "spacing");
-  const Reference_input surface = triangle_mesh_to_reference(tmesh, np);
-  Surface_check check(surface);
-  const std::vector<Wall_distance> walls = wall_distances(surface.points, surface.triangles, spacing);
-  const Voxel_grid grid = solid_voxels(Triangle_surface(surface.points, surface.triangles), walls, spacing);
-  require_cells_inside(grid, spacing);
-  const Hexahedra mesh = voxel_hexahedra(grid);
-  assign_index_ranges(mesh.points, mesh.hexahedra, points, hexahedra);
-  return {grid.mean_spacing(), euler_characteristic(grid) == euler_characteristic(surface.triangles),
-          thin_triangles(walls, grid, cells_across)};
+  Hex_mesh_optimization::Voxel_status status;
+  if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>()) {
+    const std::size_t cells_across = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::hex_cells_across), Meshing_parameters().cells_across);
+    require(spacing > 0 && std::isfinite(spacing), "spacing");
+    Meshed_surface mesh = voxelize_surface(triangle_mesh_to_reference(tmesh, np), spacing, cells_across);
+    assign_index_ranges(mesh.points, mesh.hexahedra, points, hexahedra);
+    status = std::move(mesh.status);
+  }
+  return status;
 }
 
 /*!

@@ -26,7 +26,7 @@ const std::vector<std::size_t> keys = {10, 11, 12};
 
 TEST(Named_parameters, left_out_are_the_defaults)
 {
-  const Optimization_parameters given = optimization_parameters(params::default_values(), keys), expected;
+  const Chosen_parameters given = chosen_parameters(params::default_values(), keys), expected;
   EXPECT_EQ(given.method, expected.method);
   EXPECT_EQ(given.fixed_boundary, expected.fixed_boundary);
   EXPECT_EQ(given.boundary_placement, expected.boundary_placement);
@@ -41,15 +41,15 @@ TEST(Named_parameters, left_out_are_the_defaults)
 
 TEST(Named_parameters, that_are_given_reach_the_engine)
 {
-  const Optimization_parameters p = optimization_parameters(params::fixed_boundary(true)
-                                                              .target_quality(.4)
-                                                              .maximum_deviation(.5)
-                                                              .maximum_running_time(6)
-                                                              .features_angle_bound(70)
-                                                              .number_of_iterations(8)
-                                                              .surface_weight(9)
-                                                              .boundary_placement(HMO::Boundary_placement::ON_SURFACE),
-                                                            keys);
+  const Chosen_parameters p = chosen_parameters(params::fixed_boundary(true)
+                                                  .target_quality(.4)
+                                                  .maximum_deviation(.5)
+                                                  .maximum_running_time(6)
+                                                  .features_angle_bound(70)
+                                                  .number_of_iterations(8)
+                                                  .surface_weight(9)
+                                                  .boundary_placement(HMO::Boundary_placement::ON_SURFACE),
+                                                keys);
   EXPECT_TRUE(p.fixed_boundary);
   EXPECT_EQ(p.target_quality, .4);
   EXPECT_EQ(p.maximum_deviation, .5);
@@ -64,7 +64,7 @@ template <class NamedParameters>
 void expect_refused(const NamedParameters& np, const std::string& name)
 {
   try {
-    optimization_parameters(np, keys);
+    chosen_parameters(np, keys);
     ADD_FAILURE() << "nothing was thrown for " << name;
   }
   catch (const HMO::Input_error& error) {
@@ -99,7 +99,7 @@ struct Is_even
 
 TEST(Named_parameters, that_are_maps_are_asked_by_the_keys_of_the_caller)
 {
-  const Optimization_parameters p = optimization_parameters(params::target_edge_length_map(Length_map()), keys);
+  const Chosen_parameters p = chosen_parameters(params::target_edge_length_map(Length_map()), keys);
   EXPECT_EQ(p.target_length(2, 0), 12.1);
   EXPECT_EQ(frozen_vertices(params::vertex_is_constrained_map(Is_even()), keys),
             (std::vector<char>{true, false, true}));
@@ -145,11 +145,11 @@ TEST(Named_parameters, with_a_visitor_ask_it_whether_to_go_on)
 {
   Counting_visitor visitor;
   const HMO::Iteration iteration{};
-  const Optimization_parameters copied = optimization_parameters(params::visitor(visitor), keys);
+  const Chosen_parameters copied = chosen_parameters(params::visitor(visitor), keys);
   EXPECT_TRUE(copied.on_iteration(iteration));
   EXPECT_FALSE(copied.on_iteration(iteration));
   EXPECT_EQ(visitor.calls, 0u) << "a visitor by value is copied";
-  EXPECT_TRUE(optimization_parameters(params::visitor(std::ref(visitor)), keys).on_iteration(iteration));
+  EXPECT_TRUE(chosen_parameters(params::visitor(std::ref(visitor)), keys).on_iteration(iteration));
   EXPECT_EQ(visitor.calls, 1u);
 }
 

@@ -11,7 +11,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <CGAL/Container_helper.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -23,13 +22,6 @@
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-template <class T>
-struct Is_named_parameters : std::false_type
-{};
-template <class T, class Tag, class Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{};
 
 // The indices of a cell of n vertices; what cannot be one becomes -1.
 template <std::size_t n, class IndexRange>
@@ -64,7 +56,7 @@ template <class PointRange>
 Positions engine_positions(const PointRange& points)
 {
   Positions result;
-  result.reserve(points.size());
+  result.reserve(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))));
   for (const auto& p : points)
     result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   return result;

@@ -8,8 +8,10 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
-#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Chosen_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -17,20 +19,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-template <class NamedParameters, class Tag>
-constexpr bool is_given = !std::is_same_v<
-  typename internal_np::Lookup_named_param_def<Tag, NamedParameters, internal_np::Param_not_found>::type,
-  internal_np::Param_not_found>;
 
 inline void require(bool condition, const char* name)
 {
@@ -39,25 +34,13 @@ inline void require(bool condition, const char* name)
                       std::string("the parameter ") + name + " has no usable value");
 }
 
-// What std::ref() wraps is the caller's own object.
-template <class T>
-T& unwrapped(T& t)
-{
-  return t;
-}
-template <class T>
-T& unwrapped(std::reference_wrapper<T>& t)
-{
-  return t.get();
-}
-
 // The vertices' keys, by which the maps of the caller are asked, must outlive the result.
 template <class NamedParameters, class Key>
-Optimization_parameters optimization_parameters(const NamedParameters& np, const std::vector<Key>& keys)
+Chosen_parameters chosen_parameters(const NamedParameters& np, const std::vector<Key>& keys)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Optimization_parameters p;
+  Chosen_parameters p;
   Rectification_parameters& r = p.rectification;
   p.method = choose_parameter(get_parameter(np, internal_np::hex_optimization_method), p.method);
   p.fixed_boundary = choose_parameter(get_parameter(np, internal_np::hex_fixed_boundary), p.fixed_boundary);

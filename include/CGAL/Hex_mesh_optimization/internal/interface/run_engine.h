@@ -4,32 +4,25 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_H
 
-// Where the templates on the caller's types hand over to the engine, which has no template parameters. Of many
-// files that call it, each would compile all of it: a project that defines
-// CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE has one file that includes run_engine_impl.h.
+// Where the templates on the caller's types hand over to the engine, which has no template parameters.
 
 #include <CGAL/Hex_mesh_optimization/Status.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
-#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/separate_compilation.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Chosen_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 
 #include <vector>
-
-#ifdef CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE
-#define CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
-#else
-#define CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE inline
-#endif
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
 // Moves the points, or throws Input_error and leaves them.
 // reference: null when the boundary of the mesh is its own reference.
-CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions,
                   const Reference_input* reference, const std::vector<char>& is_frozen,
-                  const Optimization_parameters& parameters);
+                  const Chosen_parameters& parameters);
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 

@@ -6,8 +6,9 @@
 
 // The definition of run_engine().
 
-#include <CGAL/Hex_mesh_optimization/internal/engine/Hex_mesh_optimizer.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Hex_mesh_optimizer.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
 
 #include <utility>
@@ -15,11 +16,11 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-CGAL_HEX_MESH_OPTIMIZATION_ENGINE_INLINE
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions,
-                  const Reference_input* reference, const std::vector<char>& is_frozen,
-                  const Optimization_parameters& parameters)
+                  const Reference_input* reference, const std::vector<char>& is_frozen, const Chosen_parameters& chosen)
 {
+  const Optimization_parameters parameters{chosen};
   Status status;
   run_concurrently(parameters.is_parallel, [&] {
     Hex_mesh_optimizer optimizer(points, hexahedra, regions, reference, is_frozen, parameters);

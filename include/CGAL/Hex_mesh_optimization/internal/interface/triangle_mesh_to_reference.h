@@ -8,6 +8,8 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -16,8 +18,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <string>
-#include <type_traits>
 #include <unordered_map>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -51,9 +53,7 @@ Reference_input triangle_mesh_to_reference(const TriangleMesh& tmesh, const Name
                           std::to_string(k) + " vertices: the surface is not triangulated");
     result.triangles.push_back(triangle);
   }
-  using Constraint = typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters,
-                                                                  internal_np::Param_not_found>::type;
-  if constexpr (!std::is_same_v<Constraint, internal_np::Param_not_found>) {
+  if constexpr (is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
     const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
     result.sharp_is_given = true;
     for (const auto e : edges(tmesh))

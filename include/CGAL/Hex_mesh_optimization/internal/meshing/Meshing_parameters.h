@@ -6,7 +6,7 @@
 
 // What a caller can choose of a mesh that is made from a surface, and what else decides about it.
 
-#include <CGAL/Hex_mesh_optimization/internal/meshing/Patch_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Layer_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 
 #include <cstddef>

@@ -10,6 +10,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Disjoint_sets.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Boundary_fans.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Layer_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/insert_layers.h>
 
@@ -22,16 +23,6 @@
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-struct Layer_parameters
-{
-  // Two layers that cross leave one hexahedron at the edge between their patches, a layer that goes on around it two: the
-  // largest angle, in degrees, with one; the sines of the angles of one and of two are the same there.
-  double largest_crossing = 120;
-  // The smallest angle of a hexahedron at an edge that is left as it is, in degrees.
-  double smallest_angle = 46;
-  double thickness = .4; // of a layer when it is inserted, in edges
-};
 
 // mesh.label are patches. Patches are in groups, each with a layer of its own. Where two groups meet their layers cross
 // and each ends on the patches of the other. O(n log n) for each of the few rounds that it takes if groups that touch come

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESH_SURFACE_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESH_SURFACE_H
+
+// Where the templates on the caller's types hand over to what makes meshes, which has no template parameters.
+
+#include <CGAL/Hex_mesh_optimization/Meshing_status.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/separate_compilation.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Hex_mesh_optimization::internal {
+
+struct Meshed_surface
+{
+  Positions points;
+  std::vector<Hexahedron> hexahedra;
+  Voxel_status status;
+};
+
+struct Padded_mesh
+{
+  Positions points;
+  std::vector<Hexahedron> hexahedra;
+  std::vector<std::size_t> source; // of each hexahedron of the layer, the one that had its face
+};
+
+// Each throws Input_error: the first three unless the surface bounds a volume.
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+void require_volume(const Reference_input& surface);
+
+// Voxels, layers, and positions to start the optimization from.
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Meshed_surface mesh_surface(const Reference_input& surface, const Meshing_parameters& parameters);
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across);
+
+// labels: of the hexahedra, or empty
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Padded_mesh pad_mesh(const Positions& points, const std::vector<Hexahedron>& hexahedra, const std::vector<int>& labels,
+                     double thickness);
+
+} // namespace CGAL::Hex_mesh_optimization::internal
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_SEPARATE_ENGINE
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface_impl.h>
+#endif
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESH_SURFACE_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESH_SURFACE_IMPL_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESH_SURFACE_IMPL_H
+
+// The definitions of what mesh_surface.h declares.
+
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_check.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/insert_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Hex_mesh_optimization::internal {
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+void require_volume(const Reference_input& surface) { Surface_check check(surface); }
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Meshed_surface mesh_surface(const Reference_input& surface, const Meshing_parameters& parameters)
+{
+  require_volume(surface);
+  Hex_mesher mesher(surface, parameters);
+  return {std::move(mesher.mesh.points),
+          std::move(mesher.mesh.hexahedra),
+          {mesher.spacing, mesher.has_topology_of_surface, std::move(mesher.thin_triangles)}};
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across)
+{
+  require_volume(surface);
+  const std::vector<Wall_distance> walls = wall_distances(surface.points, surface.triangles, spacing);
+  const Voxel_grid grid = solid_voxels(Triangle_surface(surface.points, surface.triangles), walls, spacing);
+  require_cells_inside(grid, spacing);
+  Hexahedra mesh = voxel_hexahedra(grid);
+  return {std::move(mesh.points),
+          std::move(mesh.hexahedra),
+          {grid.mean_spacing(), euler_characteristic(grid) == euler_characteristic(surface.triangles),
+           thin_triangles(walls, grid, cells_across)}};
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Padded_mesh pad_mesh(const Positions& points, const std::vector<Hexahedron>& hexahedra, const std::vector<int>& labels,
+                     double thickness)
+{
+  Hexahedra mesh;
+  mesh.points = points;
+  mesh.hexahedra = hexahedra;
+  mesh.label.assign(6 * mesh.hexahedra.size(), Hexahedra::no_label);
+  check_hexahedra(mesh);
+  const std::vector<std::ptrdiff_t> opposite = opposite_sides(mesh);
+  std::vector<char> is_marked(opposite.size(), false);
+  std::vector<std::size_t> source;
+  for (std::size_t side = 0; side < opposite.size(); ++side) {
+    is_marked[side] = opposite[side] < 0 || (!labels.empty() && labels[side / 6] != labels[opposite[side] / 6]);
+    if (is_marked[side])
+      source.push_back(side / 6);
+  }
+  insert_layers(mesh, opposite, is_marked, thickness);
+  return {std::move(mesh.points), std::move(mesh.hexahedra), std::move(source)};
+}
+
+} // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MESH_SURFACE_IMPL_H
