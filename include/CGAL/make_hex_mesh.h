@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_MAKE_HEX_MESH_H
 #define CGAL_MAKE_HEX_MESH_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // From a triangle surface to a hexahedral mesh of the volume that it bounds.
 

@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_OPTIMIZE_HEX_MESH_H
 #define CGAL_OPTIMIZE_HEX_MESH_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The function of the package: moves the vertices of a hexahedral mesh until it
 // is valid and as good as its connectivity allows.

@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INPUT_ERROR_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The exception that refuses an unusable mesh or reference surface, naming the
 // first element at fault.

@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_STATUS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_STATUS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What an optimization reports: why it stopped, and what the mesh was and is.
 

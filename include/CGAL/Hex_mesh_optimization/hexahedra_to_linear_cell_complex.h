@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_HEXAHEDRA_TO_LINEAR_CELL_COMPLEX_H
 #define CGAL_HEX_MESH_OPTIMIZATION_HEXAHEDRA_TO_LINEAR_CELL_COMPLEX_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Builds the volumes of a linear cell complex from points and hexahedra given
 // by indices, sewing by the identity of the vertices and never by position.

@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_LINEAR_CELL_COMPLEX_TO_HEXAHEDRA_H
 #define CGAL_HEX_MESH_OPTIMIZATION_LINEAR_CELL_COMPLEX_TO_HEXAHEDRA_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Lists the points and the hexahedra of a linear cell complex by indices.
 

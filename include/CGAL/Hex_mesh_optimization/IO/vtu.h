@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_VTU_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_VTU_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Reads and writes hexahedral meshes in the XML format of VTK (.vtu).
 

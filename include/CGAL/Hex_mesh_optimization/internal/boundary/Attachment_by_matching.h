@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_ATTACHMENT_BY_MATCHING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_ATTACHMENT_BY_MATCHING_H
@@ -74,7 +80,7 @@ private:
     double sum = 0;
     for (int u : neighbors_[v])
       sum += (points_[u] - points_[v]).norm();
-    return neighbors_[v].size() ? sum / neighbors_[v].size() : 0;
+    return neighbors_[v].size() ? sum / double(neighbors_[v].size()) : 0;
   }
 
   // Farther than its own edges a vertex does not represent a corner.

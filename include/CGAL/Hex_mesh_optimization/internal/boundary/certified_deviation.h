@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CERTIFIED_DEVIATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CERTIFIED_DEVIATION_H
@@ -245,9 +251,9 @@ private:
     for (const Found& part : results_of_ranges<Found>(
            n,
            [&](std::size_t begin, std::size_t end) {
-             Found part;
-             work(begin, end, part);
-             return part;
+             Found in_range;
+             work(begin, end, in_range);
+             return in_range;
            },
            grain))
       found.note(part.distance, part.where);

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_CHECKED_MESH_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_CHECKED_MESH_H
@@ -30,8 +36,8 @@ class Checked_mesh
 {
 public:
   // Throws Input_error, with elements numbered as the caller knows them.
-  Checked_mesh(const Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions = {})
-    : Checked_mesh(points, regions, numbering(points, hexahedra, regions))
+  Checked_mesh(const Positions& given, const std::vector<Hexahedron>& hexahedra, const Regions& regions = {})
+    : Checked_mesh(given, regions, numbering(given, hexahedra, regions))
   {}
 
   // As the caller finds it, sums in the same order.

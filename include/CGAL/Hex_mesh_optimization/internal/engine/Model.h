@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H
@@ -44,9 +50,9 @@ class Model
 public:
   // Throws Input_error. reference: null when the boundary of the mesh is its own reference. is_frozen: of the vertices
   // in the order of the caller. The mesh must outlive the object.
-  Model(const Checked_mesh& mesh, const Reference_input* reference, const std::vector<char>& is_frozen,
+  Model(const Checked_mesh& checked, const Reference_input* reference, const std::vector<char>& is_frozen,
         const Optimization_parameters& parameters)
-    : mesh(mesh)
+    : mesh(checked)
     , reference_is_given(is_given(reference))
     , unit(mean_boundary_edge(mesh))
     , center(boundary_center(mesh, unit))
@@ -303,7 +309,7 @@ private:
         given_edges.push_back({{low, high}, e});
       }
       std::sort(given_edges.begin(), given_edges.end());
-      std::vector<double> lengths(mesh.complex.edges.size());
+      std::vector<double> of_caller(mesh.complex.edges.size());
       for (std::size_t i = 0; i < given_edges.size(); ++i) {
         const auto& [vertices, e] = given_edges[i];
         const double given = parameters.target_length(vertices[0], vertices[1]);
@@ -311,14 +317,14 @@ private:
           throw Input_error(Input_error::Element::PARAMETER, i,
                             "the target length of the edge from vertex " + std::to_string(vertices[0]) + " to vertex " +
                               std::to_string(vertices[1]) + " is not positive and finite");
-        lengths[e] = given / unit;
+        of_caller[e] = given / unit;
       }
-      return lengths;
+      return of_caller;
     }
-    std::vector<double> lengths = edge_lengths(mesh.complex, points);
-    for (double& l : lengths)
+    std::vector<double> of_input = edge_lengths(mesh.complex, points);
+    for (double& l : of_input)
       l = (std::max)(l, least_input_length);
-    return lengths;
+    return of_input;
   }
 };
 

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_PARAMETER_LISTS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_PARAMETER_LISTS_H
@@ -9,6 +15,12 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_EXTENDS_NAMED_PARAMETERS
+#error                                                                                                                 \
+  "CGAL's own headers come before those of Hex_mesh_optimization: link CGAL::Hex_mesh_optimization before CGAL::CGAL, or put -I <Hex_mesh_optimization>/STL_Extension before the folder of CGAL"
+#include <CGAL_Hex_mesh_optimization/STL_Extension/must_come_first> // ends the compilation: nothing else would be of interest
+#endif
 
 namespace CGAL::Hex_mesh_optimization::internal {
 

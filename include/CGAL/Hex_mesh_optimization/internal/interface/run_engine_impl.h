@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_IMPL_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_RUN_ENGINE_IMPL_H
@@ -20,7 +26,8 @@ CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Status run_engine(Positions& points, const std::vector<Hexahedron>& hexahedra, const Regions& regions,
                   const Reference_input* reference, const std::vector<char>& is_frozen, const Chosen_parameters& chosen)
 {
-  const Optimization_parameters parameters{chosen};
+  Optimization_parameters parameters;
+  static_cast<Chosen_parameters&>(parameters) = chosen;
   Status status;
   run_concurrently(parameters.is_parallel, [&] {
     Hex_mesh_optimizer optimizer(points, hexahedra, regions, reference, is_frozen, parameters);

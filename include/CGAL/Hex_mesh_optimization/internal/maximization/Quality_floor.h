@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H
@@ -106,7 +112,7 @@ private:
   double quantile(const Mesh_quality& quality) const
   {
     std::vector<double> sorted = quality.scaled_jacobians;
-    const std::size_t rank = static_cast<std::size_t>(parameters_.fraction * sorted.size());
+    const std::size_t rank = static_cast<std::size_t>(parameters_.fraction * double(sorted.size()));
     std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
     return sorted[rank];
   }

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H
@@ -54,8 +60,8 @@ public:
     int left, right;
   };
 
-  Hexahedral_complex(std::size_t number_of_vertices, std::vector<Hexahedron> hexahedra, const Regions& regions = {})
-    : hexahedra(std::move(hexahedra))
+  Hexahedral_complex(std::size_t number_of_vertices, std::vector<Hexahedron> cells, const Regions& regions = {})
+    : hexahedra(std::move(cells))
     , labels(regions.labels)
     , is_on_boundary(number_of_vertices, false)
     , is_used(number_of_vertices, false)
@@ -64,7 +70,7 @@ public:
     pair_faces(regions.faces);
     number_boundary_edges();
     vertex_hexahedra = Grouped_array(
-      number_of_vertices, this->hexahedra.size() * 8, [this](std::size_t k) { return this->hexahedra[k / 8][k % 8]; },
+      number_of_vertices, hexahedra.size() * 8, [this](std::size_t k) { return hexahedra[k / 8][k % 8]; },
       [](std::size_t k) { return static_cast<int>(k / 8); });
     vertex_boundary_faces = Grouped_array(
       number_of_vertices, boundary_faces.size() * 4,

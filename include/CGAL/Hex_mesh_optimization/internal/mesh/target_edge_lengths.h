@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H
@@ -34,7 +40,7 @@ inline double mean_boundary_edge_length(const Hexahedral_complex& complex, const
   double sum = 0;
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)
     sum += (points[complex.edges[e.edge][1]] - points[complex.edges[e.edge][0]]).norm();
-  return sum / complex.boundary_edges.size();
+  return sum / double(complex.boundary_edges.size());
 }
 
 // The system of eq. 22: lengths near the wanted ones, L_A, and similar between topologically parallel edges, those that
@@ -88,10 +94,10 @@ inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, 
   const double tolerance = 1e-6;   // of the mean length
   const int most_iterations = 500; // some tens are needed
   const std::size_t n = wanted.size();
-  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / n;
+  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / double(n);
   std::vector<double> lengths(n, mean);
   conjugate_gradients(Length_system(relations, couples_sheets), wanted,
-                      {tolerance * tolerance * mean * mean * n, most_iterations, n}, lengths);
+                      {tolerance * tolerance * mean * mean * double(n), most_iterations, n}, lengths);
   return lengths;
 }
 

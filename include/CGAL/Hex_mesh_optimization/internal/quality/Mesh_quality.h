@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_MESH_QUALITY_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_MESH_QUALITY_H
@@ -47,7 +53,7 @@ struct Mesh_quality
     inverted = counts.inverted;
     invalid = counts.invalid;
     minimum = counts.minimum;
-    average = counts.sum / scaled_jacobians.size();
+    average = counts.sum / double(scaled_jacobians.size());
   }
 
   // The worst hexahedron around a vertex.

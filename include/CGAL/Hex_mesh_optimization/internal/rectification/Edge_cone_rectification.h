@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H
@@ -233,7 +239,7 @@ private:
     double mean = 0;
     for (double l : lengths_)
       mean += l;
-    mean /= lengths_.size();
+    mean /= double(lengths_.size());
     for (double& l : lengths_)
       l = (std::max)(l, parameters_.least_length * mean);
     return true;

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_GLOBAL_STEP_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_GLOBAL_STEP_H
@@ -251,8 +257,8 @@ private:
     Vector_3 linear = Vector_3::Zero();
     for (int side = 0; side < 2; ++side) {
       const int directed = 2 * static_cast<int>(e) + side;
-      const double count = parameters_.cone_weight * cones_.triangles(directed).size();
-      const double factor = parameters_.cone_weight * penalty_factor(targets[directed], directed);
+      const double count = parameters_.cone_weight * double(cones_.triangles(directed).size());
+      const double factor = penalty_factor(targets[directed], directed);
       const Vector_3 pull = parameters_.cone_weight / length * cones_.normal_sum(directed) +
                             factor / scale * targets[directed].direction;
       quadratic += count / (length * length) + factor / (scale * scale);

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
@@ -75,7 +81,7 @@ public:
     if (is_transposed)
       std::swap(i, j);
     const auto column = std::lower_bound(columns_.begin() + offsets_[i], columns_.begin() + offsets_[i + 1], j);
-    return {static_cast<std::uint32_t>(column - columns_.begin()), is_transposed};
+    return {static_cast<std::uint32_t>(column - columns_.begin()) & 0x7fffffffu, is_transposed};
   }
 
   // Adds the block of entries entry(r, c), and its transpose at the other side of the diagonal.

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_REFERENCE_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_REFERENCE_SURFACE_H
@@ -39,12 +45,13 @@ enum class Corner_rank : char { END, TURN, JUNCTION };
 class Reference_surface : public Triangle_surface
 {
 public:
-  // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise. sheets: as for
+  // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise. its_sheets: as for
   // Triangle_surface. singular: vertices that are corners, whether or not curves meet there.
-  Reference_surface(Positions points, std::vector<Triangle_indices> triangles, Edge_list sharp, bool keep_all,
-                    const Feature_parameters& parameters, std::vector<int> sheets = {}, std::vector<int> singular = {})
-    : Reference_surface(points, std::move(triangles), std::move(sheets), std::move(singular),
-                        Feature_curve_tracer(points, triangles, std::move(sharp), keep_all, parameters))
+  Reference_surface(const Positions& its_points, std::vector<Triangle_indices> its_triangles, Edge_list sharp,
+                    bool keep_all, const Feature_parameters& parameters, std::vector<int> its_sheets = {},
+                    std::vector<int> singular = {})
+    : Reference_surface(its_points, std::move(its_triangles), std::move(its_sheets), std::move(singular),
+                        Feature_curve_tracer(its_points, its_triangles, std::move(sharp), keep_all, parameters))
   {}
 
   // At a point of a triangle that is not degenerate, given by barycentric coordinates.
@@ -73,10 +80,10 @@ public:
 
 private:
   // features: of the points and triangles
-  Reference_surface(const Positions& points, std::vector<Triangle_indices>&& triangles, std::vector<int>&& sheets,
-                    std::vector<int>&& singular, const Feature_curve_tracer& features)
-    : Triangle_surface(points, std::move(triangles), std::move(sheets))
-    , curves(curves_through(features.curves(), points))
+  Reference_surface(const Positions& its_points, std::vector<Triangle_indices>&& its_triangles,
+                    std::vector<int>&& its_sheets, std::vector<int>&& singular, const Feature_curve_tracer& features)
+    : Triangle_surface(its_points, std::move(its_triangles), std::move(its_sheets))
+    , curves(curves_through(features.curves(), its_points))
     , corners(united(features.corners(), singular))
     , curve_ends_(ends_of(features.curves()))
     , singular_(std::move(singular))

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
@@ -32,31 +38,31 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Triangle_surface
 {
 public:
-  // sheets: of the triangles, counted from 0; none: all are in one.
-  Triangle_surface(Positions points, std::vector<Triangle_indices> triangles, std::vector<int> sheets = {})
-    : points(std::move(points))
-    , triangles(std::move(triangles))
-    , sheets(std::move(sheets))
+  // its_sheets: of the triangles, counted from 0; none: all are in one.
+  Triangle_surface(Positions its_points, std::vector<Triangle_indices> its_triangles, std::vector<int> its_sheets = {})
+    : points(std::move(its_points))
+    , triangles(std::move(its_triangles))
+    , sheets(std::move(its_sheets))
   {
-    for (std::size_t t = 0; t < this->triangles.size(); ++t)
-      if (has_area(this->points, this->triangles[t]))
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      if (has_area(points, triangles[t]))
         index_.push_back(t);
-    if (!this->sheets.empty())
+    if (!sheets.empty())
       std::sort(index_.begin(), index_.end(),
                 [&](std::size_t a, std::size_t b) { return sheet(a) < sheet(b) || (sheet(a) == sheet(b) && a < b); });
     soup_.reserve(index_.size());
     for (std::size_t t : index_)
-      soup_.push_back(triangle(this->points, this->triangles[t]));
-    const int count = this->sheets.empty() ? 1 : 1 + *std::max_element(this->sheets.begin(), this->sheets.end());
+      soup_.push_back(triangle(points, triangles[t]));
+    const int count = sheets.empty() ? 1 : 1 + *std::max_element(sheets.begin(), sheets.end());
     sheets_.resize(count);
     for (std::size_t i = 0; i < index_.size(); ++i)
       ++sheets_[sheet(index_[i])].size;
     std::size_t begin = 0;
-    for (Sheet& s : sheets_) {
-      s.begin = begin;
-      begin += s.size;
-      s.tree = std::make_unique<Tree>(soup_.begin() + s.begin, soup_.begin() + begin);
-      s.tree->build();
+    for (Sheet& of : sheets_) {
+      of.begin = begin;
+      begin += of.size;
+      of.tree = std::make_unique<Tree>(soup_.begin() + of.begin, soup_.begin() + begin);
+      of.tree->build();
     }
   }
 

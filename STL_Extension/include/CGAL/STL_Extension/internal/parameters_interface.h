@@ -1,13 +1,29 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 // CGAL reads its list of named parameters from a header of this path. This one
 // hands on CGAL's own list and appends the parameters of Hex_mesh_optimization,
 // so that they chain with all others. No include guard: CGAL reads it repeatedly.
 
+// Nobody else's warnings, although it is found by -I: the folder must come before CGAL's, and holds nothing else.
+#if defined(__GNUC__)
+#pragma GCC system_header
+#endif
+
 #include_next <CGAL/STL_Extension/internal/parameters_interface.h>
 
 #include <CGAL/version.h>
+
+// Told to the headers of the package, which cannot do without.
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_EXTENDS_NAMED_PARAMETERS
+#define CGAL_HEX_MESH_OPTIMIZATION_EXTENDS_NAMED_PARAMETERS
+#endif
 
 // clang-format off
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_NO_NAMED_PARAMETERS
