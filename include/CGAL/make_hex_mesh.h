@@ -91,8 +91,8 @@ Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameter
  *
  * \tparam ConcurrencyTag as of `CGAL::optimize_hex_mesh()`
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam PointRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` of 3D points that can
- *         be constructed from three `double`
+ * \tparam PointRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` whose value type is a
+ *         model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `BackInsertionSequence` and `RandomAccessContainer` with `reserve()` whose value type
  *         is a random access container of indices of an integral type, either an array of size 8 or resizable
  * \tparam NamedParameters a sequence of named parameters

@@ -286,8 +286,10 @@ TEST(Exception_safety_of_maps, that_throw)
   EXPECT_GT((expect_unchanged<Mesh, std::domain_error>(
               true,
               [&](Mesh& mesh, bool reference, std::size_t call) {
-                mesh.optimize(reference, brief.edge_is_constrained_map(
-                                           Throwing_map<Surface_mesh::Edge_index, bool>{&call, false}));
+                ASSERT_TRUE(reference);
+                CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface(), brief,
+                                        params::edge_is_constrained_map(
+                                          Throwing_map<Surface_mesh::Edge_index, bool>{&call, false}));
               },
               next)),
             4u);

@@ -11,6 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hex_mesh_optimization/hexahedra_to_linear_cell_complex.h>
+#include <CGAL/Hex_mesh_optimization/validity.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Linear_cell_complex_for_generalized_map.h>
 #include <CGAL/Polyhedron_3.h>
@@ -20,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -300,6 +302,34 @@ TYPED_TEST(Overloads_for_linear_cell_complex, with_a_held_vertex)
   EXPECT_EQ(this->result(), expected_with_held_vertex());
 }
 
+// Each hexahedron in turn is inverted and cannot move: the result names it by its place in the list of hexahedra.
+TYPED_TEST(Overloads_for_linear_cell_complex, numbers_hexahedra_as_they_are_listed)
+{
+  Indexed_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{3, 1, 1}}, {{3, 1, 1}});
+  std::swap(mesh.points[mesh.hexahedra[0][0]], mesh.points[mesh.hexahedra[0][3]]);
+  std::reverse(mesh.hexahedra.begin(), mesh.hexahedra.end()); // so that it is not the first one
+  HMO::hexahedra_to_linear_cell_complex(points_as<std::vector<typename TypeParam::Point>>(mesh), mesh.hexahedra,
+                                        this->lcc);
+  const HMO::Status status = CGAL::optimize_hex_mesh(this->lcc, quick.fixed_boundary(true));
+  std::vector<typename TypeParam::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  HMO::linear_cell_complex_to_hexahedra(this->lcc, points, hexahedra);
+  std::vector<std::size_t> invalid;
+  for (std::size_t h = 0; h < hexahedra.size(); ++h) {
+    std::array<Simple::Point_3, 8> corners;
+    for (std::size_t c = 0; c < 8; ++c)
+      corners[c] = Simple::Point_3(CGAL::to_double(points[hexahedra[h][c]].x()),
+                                   CGAL::to_double(points[hexahedra[h][c]].y()),
+                                   CGAL::to_double(points[hexahedra[h][c]].z()));
+    if (!HMO::is_valid_hexahedron(corners))
+      invalid.push_back(h);
+  }
+  ASSERT_FALSE(invalid.empty());
+  EXPECT_LT(invalid.size(), hexahedra.size());
+  EXPECT_EQ(status.invalid_hexahedra, invalid);
+}
+
 TEST(Overloads, of_a_linear_cell_complex_with_defaults)
 {
   const Indexed_mesh mesh = tangled_mesh();
@@ -356,11 +386,12 @@ void expect_near(const Coordinates& a, const Coordinates& b, double tolerance)
       EXPECT_NEAR(a[v][d], b[v][d], tolerance) << v;
 }
 
-template <class Graph, class NamedParameters>
-Coordinates optimized(const Graph& reference, const NamedParameters& np)
+template <class Graph, class NamedParameters1, class NamedParameters2 = params::Default_named_parameters>
+Coordinates optimized(const Graph& reference, const NamedParameters1& np1,
+                      const NamedParameters2& np2 = params::default_values())
 {
   Indexed_mesh mesh = tangled_mesh();
-  CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference, np);
+  CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference, np1, np2);
   return coordinates(mesh.points);
 }
 
@@ -378,15 +409,15 @@ TEST(Overloads, with_given_feature_edges)
   const auto poly = polyhedron<Epick>();
   // the edges of the box are what is detected as well
   const auto given = Box_edges<CGAL::Surface_mesh<Simple::Point_3>>{&surface};
-  expect_near(optimized(surface, quick.edge_is_constrained_map(given)), expected_with_reference(), 1e-9);
+  expect_near(optimized(surface, quick, params::edge_is_constrained_map(given)), expected_with_reference(), 1e-9);
   const auto of_poly = Box_edges<CGAL::Polyhedron_3<Epick>>{&poly};
-  expect_near(optimized(poly, quick.edge_is_constrained_map(of_poly)), expected_with_reference(), 1e-9);
+  expect_near(optimized(poly, quick, params::edge_is_constrained_map(of_poly)), expected_with_reference(), 1e-9);
 
   // CGAL's own kind of map; no features at all
   auto mutable_surface = surface;
   const auto none =
     mutable_surface.add_property_map<CGAL::Surface_mesh<Simple::Point_3>::Edge_index, bool>("e:none", false).first;
-  EXPECT_NE(optimized(mutable_surface, quick.edge_is_constrained_map(none)), expected_with_reference());
+  EXPECT_NE(optimized(mutable_surface, quick, params::edge_is_constrained_map(none)), expected_with_reference());
 }
 
 TEST(Overloads, with_points_of_the_reference_in_a_map)
@@ -399,7 +430,75 @@ TEST(Overloads, with_points_of_the_reference_in_a_map)
     map[v] = Epick::Point_3(p.x(), p.y(), p.z());
     surface.point(v) = Simple::Point_3(0, 0, 0); // not to be looked at
   }
-  EXPECT_EQ(optimized(surface, quick.vertex_point_map(map)), expected_with_reference());
+  EXPECT_EQ(optimized(surface, quick, params::vertex_point_map(map)), expected_with_reference());
+}
+
+// --- Triangle soups ---------------------------------------------------------------------------------
+
+struct Soup
+{
+  std::vector<Simple::Point_3> points;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+Soup soup()
+{
+  Soup result;
+  for_boundary(
+    reference_solid(),
+    [&](const Indexed_mesh::Point& p) {
+      result.points.emplace_back(p.x(), p.y(), p.z());
+      return static_cast<int>(result.points.size()) - 1;
+    },
+    [&](int a, int b, int c) {
+      result.triangles.push_back({{a, b, c}});
+    });
+  return result;
+}
+
+// As Box_edges
+struct Box_edges_of_soup
+{
+  const Soup* soup;
+  friend bool get(const Box_edges_of_soup& map, const std::pair<std::size_t, std::size_t>& edge)
+  {
+    const auto &p = map.soup->points[edge.first], &q = map.soup->points[edge.second];
+    const double size[3] = {3, 3, 2};
+    int sides = 0;
+    for (int d = 0; d < 3; ++d)
+      sides += p[d] == q[d] && (p[d] == 0 || p[d] == size[d]);
+    return sides == 2;
+  }
+};
+
+struct No_edges_of_soup
+{
+  friend bool get(const No_edges_of_soup&, const std::pair<std::size_t, std::size_t>&) { return false; }
+};
+
+template <class NamedParameters>
+Coordinates optimized_toward_soup(const NamedParameters& np2)
+{
+  Indexed_mesh mesh = tangled_mesh();
+  const Soup reference = soup();
+  CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference.points, reference.triangles, quick, np2);
+  return coordinates(mesh.points);
+}
+
+TEST(Overloads, with_a_triangle_soup)
+{
+  const Soup reference = soup();
+  EXPECT_EQ(optimized_toward_soup(params::default_values()), expected_with_reference());
+  expect_near(optimized_toward_soup(params::edge_is_constrained_map(Box_edges_of_soup{&reference})),
+              expected_with_reference(), 1e-9);
+  EXPECT_NE(optimized_toward_soup(params::edge_is_constrained_map(No_edges_of_soup())), expected_with_reference());
+}
+
+TYPED_TEST(Overloads_for_linear_cell_complex, with_a_triangle_soup)
+{
+  const Soup reference = soup();
+  CGAL::optimize_hex_mesh(this->lcc, reference.points, reference.triangles, quick);
+  EXPECT_EQ(this->result(), expected_with_reference());
 }
 
 // --- Chains of parameters -------------------------------------------------------------------------
@@ -415,14 +514,15 @@ TEST(Overloads, with_parameters_in_any_order)
                                              .visitor(std::ref(first))
                                              .number_of_restarts(1)
                                              .optimization_method(HMO::Method::RECTIFICATION));
-  const Coordinates b = optimized(surface, params::optimization_method(HMO::Method::RECTIFICATION)
-                                             .visitor(std::ref(second))
-                                             .maximum_running_time(1000)
-                                             .features_angle_bound(45)
-                                             .number_of_restarts(1)
-                                             .number_of_iterations(4)
-                                             .vertex_point_map(surface.points())
-                                             .verbose(false));
+  const Coordinates b = optimized(surface,
+                                  params::optimization_method(HMO::Method::RECTIFICATION)
+                                    .visitor(std::ref(second))
+                                    .maximum_running_time(1000)
+                                    .features_angle_bound(45)
+                                    .number_of_restarts(1)
+                                    .number_of_iterations(4)
+                                    .verbose(false),
+                                  params::vertex_point_map(surface.points()));
   EXPECT_EQ(a, expected_with_reference());
   EXPECT_EQ(b, expected_with_reference());
   EXPECT_GT(first.calls, 0u);

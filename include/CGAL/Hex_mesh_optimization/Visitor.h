@@ -36,7 +36,7 @@ struct Iteration
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationResults
+ * \ingroup PkgHexMeshOptimizationRef
  * The visitor that does nothing.
  *
  * \cgalModels{HexMeshOptimizationVisitor}

@@ -39,7 +39,7 @@ namespace CGAL::Hex_mesh_optimization {
  * Two faces coincide if their corners are in the same four different places, exactly. Vertices that are in one place
  * without a face in common are not merged: a hexahedron may have collapsed there.
  *
- * \tparam PointRange a model of `RandomAccessContainer` whose value type has coordinates `x()`, `y()` and `z()`
+ * \tparam PointRange a model of `RandomAccessContainer` whose value type is a model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight indices of an
  *         integral type
  *

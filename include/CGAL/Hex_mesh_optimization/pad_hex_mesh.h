@@ -66,8 +66,8 @@ std::vector<std::size_t> pad(PointRange& points, HexahedronRange& hexahedra, con
  * numbers, those of the layer are appended, one for each face in the order of the hexahedra that had them. Where faces meet
  * in a concave or convex edge the layer goes on around it.
  *
- * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` of 3D points that can be constructed from three
- *         `double`
+ * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type is a model of
+ *         `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `BackInsertionSequence` with `reserve()` whose value type is a random access
  *         container of indices of an integral type, either an array of size 8 or resizable
  * \tparam NamedParameters a sequence of named parameters

@@ -46,7 +46,7 @@ namespace CGAL::Hex_mesh_optimization {
  * Lengths neither over- nor underflow: only the differences of the coordinates must be finite. The value is
  * exact up to a few units in the last place of 1.
  *
- * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
+ * \tparam Point a model of `HexMeshOptimizationPoint_3`
  *
  * \param p0,p1,p2,p3,p4,p5,p6,p7 the corners: `p0` to `p3` around the bottom, counter-clockwise when seen from inside
  *        the hexahedron, and `p4` to `p7` above them
@@ -61,7 +61,7 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 /*!
  * returns the scaled Jacobian of the hexahedron with the eight corners `p[0]`, ..., `p[7]`.
  *
- * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessRange` whose value type is a model of `HexMeshOptimizationPoint_3`
  */
 template <class PointRange>
 double scaled_jacobian(const PointRange& p)
@@ -87,7 +87,7 @@ double scaled_jacobian_with_center(const Point& p0, const Point& p1, const Point
 /*!
  * returns the nine-point scaled Jacobian of the hexahedron with the eight corners `p[0]`, ..., `p[7]`.
  *
- * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessRange` whose value type is a model of `HexMeshOptimizationPoint_3`
  */
 template <class PointRange>
 double scaled_jacobian_with_center(const PointRange& p)
@@ -102,7 +102,7 @@ double scaled_jacobian_with_center(const PointRange& p)
  * The value is 1 for a cube and greater for a slab or a needle, which the scaled Jacobian does not see. It is infinite
  * for a hexahedron with an edge of length zero, or with a coordinate that is not finite.
  *
- * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
+ * \tparam Point a model of `HexMeshOptimizationPoint_3`
  */
 template <class Point>
 double edge_ratio(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4, const Point& p5,
@@ -114,7 +114,7 @@ double edge_ratio(const Point& p0, const Point& p1, const Point& p2, const Point
 /*!
  * returns the edge ratio of the hexahedron with the eight corners `p[0]`, ..., `p[7]`.
  *
- * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessRange` whose value type is a model of `HexMeshOptimizationPoint_3`
  */
 template <class PointRange>
 double edge_ratio(const PointRange& p)
@@ -125,7 +125,7 @@ double edge_ratio(const PointRange& p)
 /*!
  * returns the scaled Jacobian of each hexahedron of a mesh, in the order of the hexahedra.
  *
- * \tparam PointRange a model of `RandomAccessContainer` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessContainer` whose value type is a model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a range of ranges of eight indices into the points each
  */
 template <class PointRange, class HexahedronRange>
@@ -141,7 +141,7 @@ std::vector<double> scaled_jacobians(const PointRange& points, const HexahedronR
 /*!
  * computes the statistics of the qualities of a mesh, in one pass that takes time linear in the number of hexahedra.
  *
- * \tparam PointRange a model of `RandomAccessContainer` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessContainer` whose value type is a model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a range of ranges of eight indices into the points each
  */
 template <class PointRange, class HexahedronRange>

@@ -47,7 +47,7 @@ namespace CGAL::Hex_mesh_optimization {
  * touches zero inside without becoming negative can only be decided where the zero is at a corner of a cell of the
  * subdivision; otherwise the answer is `Validity::UNDECIDED`.
  *
- * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
+ * \tparam Point a model of `HexMeshOptimizationPoint_3`
  *
  * \param p0,p1,p2,p3,p4,p5,p6,p7 the corners: `p0` to `p3` around the bottom, counter-clockwise when seen from inside
  *        the hexahedron, and `p4` to `p7` above them
@@ -67,7 +67,7 @@ Validity hexahedron_validity(const Point& p0, const Point& p1, const Point& p2, 
 /*!
  * decides whether the hexahedron with the eight corners `p[0]`, ..., `p[7]` is valid.
  *
- * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessRange` whose value type is a model of `HexMeshOptimizationPoint_3`
  */
 template <class PointRange>
 Validity hexahedron_validity(const PointRange& p, int maximum_depth = internal::default_maximum_depth)
@@ -78,7 +78,7 @@ Validity hexahedron_validity(const PointRange& p, int maximum_depth = internal::
 /*!
  * returns whether a hexahedron is proven valid, that is, whether `hexahedron_validity()` is `Validity::VALID`.
  *
- * \tparam Point a model of `Kernel::Point_3`, with coordinates that `CGAL::to_double()` converts
+ * \tparam Point a model of `HexMeshOptimizationPoint_3`
  */
 template <class Point>
 bool is_valid_hexahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4,
@@ -90,7 +90,7 @@ bool is_valid_hexahedron(const Point& p0, const Point& p1, const Point& p2, cons
 /*!
  * returns whether the hexahedron with the eight corners `p[0]`, ..., `p[7]` is proven valid.
  *
- * \tparam PointRange a model of `RandomAccessRange` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessRange` whose value type is a model of `HexMeshOptimizationPoint_3`
  */
 template <class PointRange>
 bool is_valid_hexahedron(const PointRange& p)
@@ -101,7 +101,7 @@ bool is_valid_hexahedron(const PointRange& p)
 /*!
  * writes the indices of the hexahedra of a mesh that are not proven valid, in increasing order.
  *
- * \tparam PointRange a model of `RandomAccessContainer` with value type a model of `Kernel::Point_3`
+ * \tparam PointRange a model of `RandomAccessContainer` whose value type is a model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a range of ranges of eight indices into the points each
  * \tparam OutputIterator a model of `OutputIterator` to which `std::size_t` can be assigned
  *

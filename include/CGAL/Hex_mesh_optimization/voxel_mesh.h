@@ -48,8 +48,8 @@ namespace CGAL {
  * cells than asked for are left across a part of the volume, the result says so.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from three
- *         `double`
+ * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type is a model of
+ *         `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `BackInsertionSequence` with `reserve()` whose value type is a random access
  *         container of indices of an integral type, either an array of size 8 or resizable
  * \tparam NamedParameters a sequence of named parameters

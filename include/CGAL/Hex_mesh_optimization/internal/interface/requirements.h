@@ -283,12 +283,14 @@ constexpr bool accepts_parameters_of_mesh()
   return is_of_mesh && has_constraints && has_lengths && has_faces && has_rest;
 }
 
+// boost::graph_traits does not compile for others.
 template <class T, class = void>
 struct Is_face_graph : std::false_type
 {};
 template <class T>
-struct Is_face_graph<T, std::void_t<typename boost::graph_traits<T>::face_descriptor,
-                                    typename boost::graph_traits<T>::halfedge_descriptor>> : std::true_type
+struct Is_face_graph<
+  T, std::void_t<decltype(num_faces(std::declval<const T&>())), decltype(num_halfedges(std::declval<const T&>()))>>
+  : std::true_type
 {};
 
 template <class TriangleMesh, class NamedParameters>
