@@ -23,6 +23,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/optimize_hex_mesh.h>
@@ -75,6 +76,13 @@ Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameter
   hexahedra = std::move(new_hexahedra);
   return status;
 }
+
+// They tell the overloads apart.
+template <class PointRange, class HexahedronRange>
+using Enable_for_new_ranges =
+  std::enable_if_t<!Is_linear_cell_complex<PointRange>::value && !Is_linear_cell_complex<HexahedronRange>::value &&
+                     !Is_named_parameters<HexahedronRange>::value,
+                   int>;
 
 } // namespace internal
 } // namespace Hex_mesh_optimization
@@ -141,9 +149,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<!Hex_mesh_optimization::internal::Is_linear_cell_complex<PointRange>::value &&
-                             !Hex_mesh_optimization::internal::Is_named_parameters<HexahedronRange>::value,
-                           int> = 0
+          Hex_mesh_optimization::internal::Enable_for_new_ranges<PointRange, HexahedronRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, PointRange& points,
@@ -163,6 +170,45 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
 /*!
  * \ingroup PkgHexMeshOptimizationMeshing
  *
+ * makes a mesh as above of the volume that a triangle soup bounds. Triangles that are neighbors have indices in common and are
+ * oriented alike.
+ *
+ * \tparam SurfacePointRange a range of models of `HexMeshOptimizationPoint_3`
+ * \tparam TriangleRange a range of ranges of three integers
+ *
+ * \param surface_points the points of the soup
+ * \param surface_triangles the indices of the three vertices of each triangle
+ * \param points the vertices, replaced
+ * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
+ * \param np optional named parameters as above; the key of `edge_is_constrained_map()` is a
+ *        `std::pair<std::size_t, std::size_t>`, an edge by the lower and the higher of its indices
+ */
+template <class ConcurrencyTag = CGAL::Sequential_tag, class SurfacePointRange, class TriangleRange, class PointRange,
+          class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          Hex_mesh_optimization::internal::Enable_for_new_ranges<PointRange, HexahedronRange> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
+#endif
+          >
+Hex_mesh_optimization::Meshing_status
+make_hex_mesh(const SurfacePointRange& surface_points, const TriangleRange& surface_triangles, PointRange& points,
+              HexahedronRange& hexahedra, const NamedParameters& np = parameters::default_values())
+{
+  using namespace Hex_mesh_optimization::internal;
+  Hex_mesh_optimization::Meshing_status status;
+  if constexpr (accepts_soup<SurfacePointRange, TriangleRange>() && accepts_edges_of_soup<NamedParameters>() &&
+                accepts_new_mesh<PointRange, HexahedronRange>() && accepts_parameters_of_new_mesh<NamedParameters>()) {
+    const Meshing_parameters parameters = meshing_parameters(np);
+    status = make_mesh<ConcurrencyTag>(triangle_soup_to_reference(surface_points, surface_triangles, np), parameters,
+                                       points, hexahedra, np);
+  }
+  return status;
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
+ *
  * makes the same mesh as a linear cell complex.
  *
  * \param tmesh the surface, see `Hex_mesh_optimization::check_surface()`
@@ -174,7 +220,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<Hex_mesh_optimization::internal::Is_linear_cell_complex<LCC>::value, int> = 0
+          Hex_mesh_optimization::internal::Enable_for_linear_cell_complex<LCC> = 0,
+          Hex_mesh_optimization::internal::Enable_for_parameters<NamedParameters> = 0
 #endif
           >
 Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, LCC& lcc,

@@ -98,6 +98,24 @@ TEST(make_hex_mesh, as_a_linear_cell_complex_is_the_same)
   EXPECT_TRUE(same_points(of_lcc.points, ranges.points));
 }
 
+TEST(make_hex_mesh, of_a_triangle_soup_is_the_same)
+{
+  const Reference_input surface = surface_of(cylinder(8), .4);
+  std::vector<Point> soup;
+  for (const Vector_3& p : surface.points)
+    soup.emplace_back(p[0], p[1], p[2]);
+  const auto np = CGAL::parameters::number_of_hexahedra(300);
+  Mesh of_graph, of_soup;
+  CGAL::make_hex_mesh(surface_mesh(surface), of_graph.points, of_graph.hexahedra, np);
+  CGAL::make_hex_mesh(soup, surface.triangles, of_soup.points, of_soup.hexahedra, np);
+  EXPECT_EQ(of_soup.hexahedra, of_graph.hexahedra);
+  double most = 0; // faces of a graph may start at other vertices: the same up to rounding
+  ASSERT_EQ(of_soup.points.size(), of_graph.points.size());
+  for (std::size_t v = 0; v < of_soup.points.size(); ++v)
+    most = (std::max)(most, CGAL::to_double(CGAL::squared_distance(of_soup.points[v], of_graph.points[v])));
+  EXPECT_LT(most, 1e-12);
+}
+
 TEST(make_hex_mesh, refuses_parameters_and_surfaces_and_leaves_the_mesh)
 {
   Surface open = surface_mesh(surface_of(block(1)));

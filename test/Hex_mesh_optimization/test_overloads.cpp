@@ -488,7 +488,8 @@ Coordinates optimized_toward_soup(const NamedParameters& np2)
 TEST(Overloads, with_a_triangle_soup)
 {
   const Soup reference = soup();
-  EXPECT_EQ(optimized_toward_soup(params::default_values()), expected_with_reference());
+  // faces of a graph may start at other vertices: the same up to rounding
+  expect_near(optimized_toward_soup(params::default_values()), expected_with_reference(), 1e-9);
   expect_near(optimized_toward_soup(params::edge_is_constrained_map(Box_edges_of_soup{&reference})),
               expected_with_reference(), 1e-9);
   EXPECT_NE(optimized_toward_soup(params::edge_is_constrained_map(No_edges_of_soup())), expected_with_reference());
@@ -498,7 +499,7 @@ TYPED_TEST(Overloads_for_linear_cell_complex, with_a_triangle_soup)
 {
   const Soup reference = soup();
   CGAL::optimize_hex_mesh(this->lcc, reference.points, reference.triangles, quick);
-  EXPECT_EQ(this->result(), expected_with_reference());
+  expect_near(this->result(), expected_with_reference(), 1e-9);
 }
 
 // --- Chains of parameters -------------------------------------------------------------------------

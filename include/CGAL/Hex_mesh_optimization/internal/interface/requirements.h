@@ -332,18 +332,26 @@ constexpr bool accepts_soup()
 }
 
 template <class NamedParameters>
-constexpr bool accepts_parameters_of_soup()
+constexpr bool accepts_edges_of_soup()
 {
-  constexpr bool is_of_soup = Has_only<NamedParameters, internal_np::edge_is_constrained_t>::value;
-  static_assert(is_of_soup, "the second list of named parameters is that of the reference, for a triangle soup only "
-                            "edge_is_constrained_map(): all others belong in the first list, that of the mesh");
   constexpr bool has_constraints =
     is_map_if_given<NamedParameters, internal_np::edge_is_constrained_t, std::pair<std::size_t, std::size_t>, bool>;
   static_assert(has_constraints,
                 "edge_is_constrained_map() of a triangle soup needs a readable property map, get(map, e), "
                 "whose key is a std::pair of two indices of points (std::size_t) and whose value converts "
                 "to bool");
-  return is_of_soup && has_constraints;
+  return has_constraints;
+}
+
+// Of optimize_hex_mesh(): the list of a soup.
+template <class NamedParameters>
+constexpr bool accepts_parameters_of_soup()
+{
+  constexpr bool is_of_soup = Has_only<NamedParameters, internal_np::edge_is_constrained_t>::value;
+  static_assert(is_of_soup, "the second list of named parameters is that of the reference, for a triangle soup only "
+                            "edge_is_constrained_map(): all others belong in the first list, that of the mesh");
+  constexpr bool has_edges = accepts_edges_of_soup<NamedParameters>();
+  return is_of_soup && has_edges;
 }
 
 // Of optimize_hex_mesh(): the list of the reference, which has nothing that would not be looked at.
