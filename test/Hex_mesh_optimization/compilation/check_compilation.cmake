@@ -1,13 +1,13 @@
 # Compiles a file without making an object, and fails unless the compiler says what it is to say:
 #
 #   cmake -DCOMPILER=<c++> -DFLAGS=<flags> -DPACKAGE_DIRS=<folders> -DINCLUDE_DIRS=<folders> -DIMPLICIT_DIRS=<folders>
-#     [-DWITHOUT=<name>] -DSOURCE=<file> -P <this>
+#     [-DWITHOUT=<name>] [-DNOT_INCLUDED=<expression>] -DSOURCE=<file> -P <this>
 #
 # <flags> and <folders> are lists with | between their elements. Folders of the package are for -I, but for one of the name
 # that is to be left out; others that the compiler does not know by itself for -isystem.
 #
 # For each line of the file that ends with "// error: <text>" there must be one error, in which the text occurs. There
-# must be no other error, and no warning.
+# must be no other error, and no warning. With an expression, it only fails if a header that matches it is included.
 
 cmake_minimum_required(VERSION 3.15)
 string(REPLACE "|" ";" flags "${FLAGS}")
@@ -24,6 +24,15 @@ foreach(dir IN LISTS include_dirs)
     list(APPEND flags -isystem ${dir})
   endif()
 endforeach()
+
+if(NOT_INCLUDED)
+  execute_process(COMMAND ${COMPILER} -M ${flags} ${SOURCE} RESULT_VARIABLE result OUTPUT_VARIABLE headers)
+  string(REGEX MATCH "[^ ]*(${NOT_INCLUDED})[^ ]*" found "${headers}")
+  if(found OR NOT result EQUAL 0)
+    message(FATAL_ERROR "included: ${found}")
+  endif()
+  return()
+endif()
 
 execute_process(COMMAND ${COMPILER} -fsyntax-only ${flags} ${SOURCE} RESULT_VARIABLE result ERROR_VARIABLE output)
 
