@@ -44,9 +44,12 @@ public:
         center += foot[v] / 4;
       labels[i] = partition.patch_of_triangle(partition.surface.closest_point(center).triangle);
     }
-    for (int round = 0; round < most_rounds; ++round)
-      if (!smooth() & !drop_islands() & !untouch())
-        break;
+    bool any = true;
+    for (int round = 0; any && round < most_rounds; ++round) {
+      any = smooth();
+      any = drop_islands() || any;
+      any = untouch() || any;
+    }
   }
 
   std::vector<int> labels;
