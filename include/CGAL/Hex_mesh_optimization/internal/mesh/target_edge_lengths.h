@@ -147,8 +147,8 @@ inline std::vector<double> spread_along_sheets(const Edge_relations& relations, 
     weights[e] = is_known[e] ? 1 : least_weight;
     wanted[e] = weights[e] * values[e];
   }
-  conjugate_gradients(Length_system(relations, false, weights), wanted, {tolerance * tolerance * n, most_iterations, n},
-                      values);
+  conjugate_gradients(Length_system(relations, false, weights), wanted,
+                      {tolerance * tolerance * double(n), most_iterations, n}, values);
   return values;
 }
 
