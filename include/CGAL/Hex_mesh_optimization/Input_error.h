@@ -23,7 +23,7 @@
 namespace CGAL::Hex_mesh_optimization {
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * Thrown before anything is moved when a mesh, a reference surface or a
  * parameter cannot be used.
  */

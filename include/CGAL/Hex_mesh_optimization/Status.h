@@ -49,7 +49,7 @@ struct Interface_statistics
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The result of `CGAL::optimize_hex_mesh()`. Hexahedra and vertices are listed by their indices; those of a linear cell
  * complex are the ones that `linear_cell_complex_to_hexahedra()` gives them.
  */

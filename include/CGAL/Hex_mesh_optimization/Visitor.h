@@ -36,7 +36,7 @@ struct Iteration
 };
 
 /*!
- * \ingroup PkgHexMeshOptimizationRef
+ * \ingroup PkgHexMeshOptimizationResults
  * The visitor that does nothing.
  *
  * \cgalModels{HexMeshOptimizationVisitor}
