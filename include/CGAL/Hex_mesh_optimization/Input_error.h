@@ -44,6 +44,7 @@ public:
   /// The message alone, which names the element: a sentence for the user of a program, not for its author.
   const char* what() const noexcept override { return message_.c_str(); }
 
+  /// What is at fault.
   Element element() const { return element_; }
 
   /// Which one of its kind.
