@@ -37,7 +37,7 @@ int main(int argc, char** argv)
     std::vector<std::array<std::size_t, 8>> hexahedra;
     CGAL::IO::read_hex_mesh(argv[i], points, hexahedra);
     for (const Alternative& alternative : alternatives) {
-      HMO::internal::Optimization_parameters parameters;
+      HMO::internal::Chosen_parameters parameters;
       parameters.method = HMO::Method::RECTIFICATION;
       parameters.rectification.cone_weight = alternative.cone_weight;
       parameters.rectification.regularization_weight = alternative.regularization_weight;
