@@ -125,15 +125,33 @@ TEST(Target_edge_lengths, grow_with_the_mesh)
     EXPECT_EQ(of_large[e], 1024 * lengths[e]);
 }
 
-// Layers of these heights, of which one hexahedron and all around it say nothing
+// A block of layers, thin ones at the bottom and at the top
+struct Layers
+{
+  const Generated_mesh cubes;
+  const Hexahedral_complex& complex = cubes.complex;
+  const Edge_relations relations;
+  Positions points;
+
+  Layers()
+    : cubes([](auto& p, auto& h) {
+      HMO::make_block(p, h, {{6, 6, 5}}, {{6, 6, 5}});
+    })
+    , relations(cubes.complex)
+    , points(cubes.points)
+  {
+    const std::vector<double> heights = {0, .1, .2, 1.2, 2.2, 2.25};
+    for (Vector_3& p : points)
+      p[2] = heights[std::lround(p[2])];
+  }
+};
+
+// One hexahedron and all around it say nothing
 TEST(Target_edge_lengths, follow_layers_where_they_are_sound)
 {
-  const std::vector<double> heights = {0, .1, .2, 1.2, 2.2, 2.25};
-  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{6, 6, 5}}, {{6, 6, 5}}); });
-  const Edge_relations relations(mesh.complex);
-  Positions points = mesh.points;
-  for (Vector_3& p : points)
-    p[2] = heights[std::lround(p[2])];
+  Layers mesh;
+  Positions& points = mesh.points;
+  const Edge_relations& relations = mesh.relations;
   const std::vector<double> known = edge_lengths(mesh.complex, points);
   std::vector<char> is_sound(mesh.complex.hexahedra.size(), true);
   const std::size_t moved = 3 + 7 * (3 + 7 * 2); // in the middle
@@ -171,14 +189,9 @@ TEST(Target_edge_lengths, are_estimated_where_nothing_is_sound)
 
 TEST(Target_edge_lengths, of_a_valid_mesh_are_its_own_and_certain_for_layers)
 {
-  const std::vector<double> heights = {0, .1, .25, 1.25, 2.25, 2.3};
-  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{6, 6, 5}}, {{6, 6, 5}}); });
-  const Edge_relations relations(mesh.complex);
-  Positions points = mesh.points;
-  for (Vector_3& p : points)
-    p[2] = heights[std::lround(p[2])];
-  const std::vector<double> known = edge_lengths(mesh.complex, points);
-  const Target_lengths found = own_edge_lengths(mesh.complex, relations, points);
+  const Layers mesh;
+  const std::vector<double> known = edge_lengths(mesh.complex, mesh.points);
+  const Target_lengths found = own_edge_lengths(mesh.complex, mesh.relations, mesh.points);
   EXPECT_EQ(found.origin, Target_lengths::Origin::OWN);
   for (std::size_t e = 0; e < known.size(); ++e) {
     EXPECT_NEAR(found.lengths[e], known[e], 1e-4) << e;
@@ -186,7 +199,7 @@ TEST(Target_edge_lengths, of_a_valid_mesh_are_its_own_and_certain_for_layers)
       EXPECT_EQ(found.certainty[e], 1) << e;
     }
   }
-  const Target_lengths of_cubes = own_edge_lengths(mesh.complex, relations, mesh.points);
+  const Target_lengths of_cubes = own_edge_lengths(mesh.complex, mesh.relations, mesh.cubes.points);
   EXPECT_EQ(of_cubes.certainty, std::vector<double>(known.size(), 0.0));
 }
 
