@@ -205,7 +205,7 @@ struct Setting
 
   double energy(const Positions& x, const Positions& start, const std::vector<double>& weight) const
   {
-    return parameters.cone_weight * cone_energy(x) + penalty_energy(x, start, weight) +
+    return parameters.cone_weight * (cone_energy(x) + penalty_energy(x, start, weight)) +
            parameters.regularization_weight * regularization_energy(x) + boundary_energy(x);
   }
 
