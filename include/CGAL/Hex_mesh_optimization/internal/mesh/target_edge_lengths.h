@@ -122,10 +122,10 @@ struct Target_lengths
     ASKED_FOR
   };
 
-  Target_lengths(Origin origin, std::vector<double> lengths)
-    : origin(origin)
-    , lengths(std::move(lengths))
-    , certainty(this->lengths.size(), origin == Origin::ASKED_FOR ? 1. : 0.)
+  Target_lengths(Origin where_from, std::vector<double> values)
+    : origin(where_from)
+    , lengths(std::move(values))
+    , certainty(lengths.size(), origin == Origin::ASKED_FOR ? 1. : 0.)
   {}
 
   Origin origin;
