@@ -32,8 +32,12 @@ enum class Method {
  * Where target edge lengths come from when no map gives them.
  */
 enum class Target_edge_lengths {
-  ESTIMATED, ///< From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper).
-  INPUT      ///< The lengths in the input: for meshes that are graded on purpose and not tangled.
+  /// From the lengths of the boundary edges, smoothly into the interior (eq. 22 of the paper); a valid mesh on its
+  /// reference keeps its own where they are meant, as in layers, and a tangled one the thickness of thin parts whose
+  /// boundary is sound.
+  ESTIMATED,
+  /// The lengths in the input, closely: for meshes that are graded on purpose and not tangled.
+  INPUT
 };
 
 /*!
