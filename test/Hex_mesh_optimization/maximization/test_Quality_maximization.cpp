@@ -33,7 +33,7 @@ void run(Attached_mesh& s, Run_control& control)
 {
   Boundary_samples samples = s.samples();
   Sliding sliding = s.sliding();
-  const Target_lengths targets(Target_lengths::Origin::ESTIMATED, s.lengths);
+  const Target_lengths targets = guessed_lengths(s.lengths);
   Quality_maximization(s.complex, samples, s.distance(), targets, s.relations, sliding, Maximization_parameters())
     .run(s.points, control, std::numeric_limits<double>::infinity());
 }

@@ -55,7 +55,7 @@ public:
         inverse_targets_.set(h, k, 1 / lengths[complex_.hexahedron_edges[h][k] / 2]);
   }
 
-  // Of the target lengths of the hexahedron, 0 if not set.
+  // c, of the target lengths of the hexahedron; 0 if not set.
   void set_certainty(std::size_t hexahedron, double certainty) { certainties_.set(hexahedron, 0, certainty); }
 
   double value(const Positions& points) const

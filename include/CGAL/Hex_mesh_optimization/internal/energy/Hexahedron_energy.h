@@ -39,18 +39,12 @@ struct Hexahedron_energy_parameters
   // λ, of the shape for lengths that are certain. Linear: the terms above vanish too fast to hold a layer to its height
   // (measured on a boundary layer: 50 times κ and κ' do less than this).
   double certain_shape_weight = 1;
-
-  void multiply_shape(double factor)
-  {
-    shape_weight *= factor;
-    poor_shape_weight *= factor;
-  }
 };
 
 // Over the corners of a hexahedron with scaled Jacobians s:
-//   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ λ c (m − 1) + κ/2 (m − 1)² + κ'/3 (m − 1)³,
+//   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ (λ c (m − 1) + κ/2 (m − 1)² + κ'/3 (m − 1)³),
 // infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l,
-// of certainty c.
+// of certainty c: 0 to 1, or more for lengths to be kept the more closely.
 class Hexahedron_energy
 {
 public:

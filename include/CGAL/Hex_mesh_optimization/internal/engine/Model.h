@@ -23,6 +23,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Target_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
@@ -285,10 +286,10 @@ private:
   Target_lengths target_lengths(const Optimization_parameters& parameters) const
   {
     if (parameters.target_length || parameters.target_edge_lengths == Target_edge_lengths::INPUT)
-      return Target_lengths(Target_lengths::Origin::ASKED_FOR, lengths_asked_for(parameters));
+      return lengths_asked_for(wanted_lengths(parameters));
     // lengths between boundaries that have to go elsewhere say nothing
     if (!is_on_reference(parameters.boundary.samples.tolerance))
-      return Target_lengths(Target_lengths::Origin::ESTIMATED, estimate_edge_lengths(mesh.complex, relations, points));
+      return guessed_lengths(estimate_edge_lengths(mesh.complex, relations, points));
     const Mesh_quality quality(mesh.complex, points);
     if (quality.inverted == 0)
       return own_edge_lengths(mesh.complex, relations, points);
@@ -298,7 +299,7 @@ private:
     return lengths_along_sound_sheets(mesh.complex, relations, points, is_sound);
   }
 
-  std::vector<double> lengths_asked_for(const Optimization_parameters& parameters) const
+  std::vector<double> wanted_lengths(const Optimization_parameters& parameters) const
   {
     if (parameters.target_length) {
       // asked for in the order that edges have with the caller's vertices

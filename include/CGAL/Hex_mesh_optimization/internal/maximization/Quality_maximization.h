@@ -28,6 +28,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/maximization/hold_corners.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Target_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/vertex_couplings.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
@@ -54,24 +55,25 @@ public:
                        const Target_lengths& targets, const Edge_relations& relations, Sliding& sliding,
                        const Maximization_parameters& parameters)
     : complex_(complex)
-    , parameters_(weighted_for(targets.origin, parameters))
+    , parameters_(parameters)
     , samples_(samples)
     , relations_(relations)
     , matrix_(vertex_couplings(complex))
     , assembly_(complex, matrix_)
     , batches_(complex)
-    , floor_(batches_, parameters_.floor)
-    , hexahedra_(complex, batches_, assembly_, floor_.floors(), targets.lengths, parameters_.energy)
+    , floor_(batches_, parameters.floor)
+    , hexahedra_(complex, batches_, assembly_, floor_.floors(), targets.lengths, parameters.energy)
     , boundary_(samples, distance, complex.number_of_vertices())
     , sliding_(sliding)
     , targets_(targets)
   {
     // a hexahedron keeps its lengths as closely as the most certain of them
+    const double weight = targets.are_asked_for ? parameters.weight_of_lengths_asked_for : 1;
     for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
       double certainty = 0;
       for (int directed : complex.hexahedron_edges[h])
         certainty = (std::max)(certainty, targets.certainty[directed / 2]);
-      hexahedra_.set_certainty(h, certainty);
+      hexahedra_.set_certainty(h, weight * certainty);
     }
   }
 
@@ -220,17 +222,11 @@ private:
     hexahedra_.set_target_lengths(lengths);
   }
 
-  static Maximization_parameters weighted_for(Target_lengths::Origin origin, Maximization_parameters parameters)
-  {
-    if (origin == Target_lengths::Origin::ASKED_FOR)
-      parameters.energy.certain_shape_weight *= parameters.weight_of_lengths_asked_for;
-    return parameters;
-  }
-
   void weigh_shape()
   {
     Hexahedron_energy_parameters energy = parameters_.energy;
-    energy.multiply_shape(shape_ * shape_yield_);
+    energy.shape_weight *= shape_ * shape_yield_;
+    energy.poor_shape_weight *= shape_ * shape_yield_;
     hexahedra_.set_parameters(energy);
   }
 

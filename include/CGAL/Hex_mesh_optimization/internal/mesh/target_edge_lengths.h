@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -88,15 +87,14 @@ private:
 
 // Minimizes eq. 22. The system is diagonally dominant, so conjugate gradients need a number of steps that does not
 // depend on the mesh; each is linear in the number of edge pairs.
-inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted,
-                                               bool couples_sheets = true)
+inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, const std::vector<double>& wanted)
 {
   const double tolerance = 1e-6;   // of the mean length
   const int most_iterations = 500; // some tens are needed
   const std::size_t n = wanted.size();
   const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / double(n);
   std::vector<double> lengths(n, mean);
-  conjugate_gradients(Length_system(relations, couples_sheets), wanted,
+  conjugate_gradients(Length_system(relations, true), wanted,
                       {tolerance * tolerance * mean * mean * double(n), most_iterations, n}, lengths);
   return lengths;
 }
@@ -112,133 +110,6 @@ inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& compl
     if (!complex.is_boundary_edge[e])
       wanted[e] = mean;
   return smooth_edge_lengths(relations, wanted);
-}
-
-struct Target_lengths
-{
-  enum class Origin {
-    ESTIMATED,
-    OWN, // those of the mesh
-    ASKED_FOR
-  };
-
-  Target_lengths(Origin where_from, std::vector<double> values)
-    : origin(where_from)
-    , lengths(std::move(values))
-    , certainty(lengths.size(), origin == Origin::ASKED_FOR ? 1. : 0.)
-  {}
-
-  Origin origin;
-  std::vector<double> lengths;
-  std::vector<double> certainty; // of each: 0 is a guess, 1 is not to be changed
-};
-
-// Values of edges, spread along the sheets of hexahedra from those that are known to the others, whose own ones count
-// where a sheet has none that is known. O(edge pairs).
-inline std::vector<double> spread_along_sheets(const Edge_relations& relations, const std::vector<char>& is_known,
-                                               std::vector<double> values)
-{
-  const double least_weight = 1e-3; // of those that are not known
-  const double tolerance = 1e-3;    // root mean square
-  const int most_iterations = 500;
-  const std::size_t n = values.size();
-  std::vector<double> weights(n), wanted(n);
-  for (std::size_t e = 0; e < n; ++e) {
-    weights[e] = is_known[e] ? 1 : least_weight;
-    wanted[e] = weights[e] * values[e];
-  }
-  conjugate_gradients(Length_system(relations, false, weights), wanted,
-                      {tolerance * tolerance * double(n), most_iterations, n}, values);
-  return values;
-}
-
-// What the lengths of a mesh say along the sheets of hexahedra.
-class Lengths_along_sheets
-{
-public:
-  // counts: of the edges, whether their lengths say something; the others have the estimated ones. Edges agree when
-  // their lengths and those of all that are parallel to them in a hexahedron differ by no more than the factor.
-  Lengths_along_sheets(const Edge_relations& relations, const std::vector<double>& lengths,
-                       const std::vector<char>& counts, const std::vector<double>& estimated, double agreement)
-    : estimated_(estimated)
-  {
-    const double tolerance = std::log(agreement);
-    std::vector<double> logarithms(lengths.size()), agree(lengths.size());
-    for (std::size_t e = 0; e < lengths.size(); ++e) {
-      logarithms[e] = std::log(counts[e] ? lengths[e] : estimated[e]);
-      agree[e] = counts[e];
-    }
-    for (const Edge_pair& p : relations.parallel) {
-      const std::size_t e = p.first / 2, f = p.second / 2;
-      if (counts[e] && counts[f] && std::abs(logarithms[e] - logarithms[f]) > tolerance)
-        agree[e] = agree[f] = 0;
-    }
-    logarithms_ = spread_along_sheets(relations, counts, std::move(logarithms));
-    agree_ = spread_along_sheets(relations, counts, std::move(agree));
-  }
-
-  // The logarithm of the length over the estimated one.
-  double factor(std::size_t e) const { return logarithms_[e] - std::log(estimated_[e]); }
-
-  // Lengths are meant, not an accident, where the edges of a sheet agree and the estimate is clearly wrong. Nothing is
-  // certain up to the first factor and part, all from the second on.
-  double certainty(std::size_t e, double unclear, double clear, double few, double most) const
-  {
-    return part_between(std::abs(factor(e)), std::log(unclear), std::log(clear)) * part_between(agree_[e], few, most);
-  }
-
-private:
-  // 0 up to low, 1 from high on
-  static double part_between(double x, double low, double high)
-  {
-    return (std::max)(0.0, (std::min)(1.0, (x - low) / (high - low)));
-  }
-
-  const std::vector<double>& estimated_;
-  std::vector<double> logarithms_, agree_; // agree_: the part of the edges
-};
-
-// Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, and certain where
-// they are meant, so that layers keep the heights that they have; where it is only poor it may be regraded.
-// O(edge pairs).
-inline Target_lengths own_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                       const Positions& points)
-{
-  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
-  const Lengths_along_sheets own(relations, edge_lengths(complex, points),
-                                 std::vector<char>(complex.edges.size(), true), estimated, 1.25);
-  Target_lengths result(Target_lengths::Origin::OWN, estimated);
-  for (std::size_t e = 0; e < estimated.size(); ++e) {
-    result.certainty[e] = own.certainty(e, 1.1, 1.5, .6, .8);
-    result.lengths[e] *= std::exp(own.factor(e));
-  }
-  return result;
-}
-
-// Of a tangled mesh: the estimate where it says nothing, and its own lengths where it does: those of boundary edges with
-// none but sound hexahedra around them are spread along the sheets, so that a fin or a layer that is thin stays so, also
-// where it is tangled. Lengths that only interior edges have are no evidence (measured: an organic model whose layer
-// under the surface is thin throughout is better regraded, its 99th percentile of the ratios of edges is 3.4 instead of
-// 7). O(edge pairs).
-inline Target_lengths lengths_along_sound_sheets(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                                 const Positions& points, const std::vector<char>& is_sound)
-{
-  const std::vector<double> present = edge_lengths(complex, points);
-  std::vector<char> counts(complex.edges.size());
-  for (std::size_t e = 0; e < counts.size(); ++e)
-    counts[e] = present[e] > 0 && complex.is_boundary_edge[e];
-  for (std::size_t h = 0; h < complex.hexahedra.size(); ++h)
-    for (int directed : complex.hexahedron_edges[h])
-      if (!is_sound[h])
-        counts[directed / 2] = false;
-  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
-  const Lengths_along_sheets sound(relations, present, counts, estimated, 1.1);
-  Target_lengths result(Target_lengths::Origin::ESTIMATED, estimated);
-  for (std::size_t e = 0; e < estimated.size(); ++e) {
-    result.certainty[e] = sound.certainty(e, 1.5, 2.5, .8, .9);
-    result.lengths[e] *= std::exp(result.certainty[e] * sound.factor(e));
-  }
-  return result;
 }
 
 // eq. 23, 24: lengths move to the reached ones where the worst hexahedron around
