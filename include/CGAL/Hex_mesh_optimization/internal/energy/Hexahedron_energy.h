@@ -37,7 +37,8 @@ struct Hexahedron_energy_parameters
   double shape_weight = .11;
   double poor_shape_weight = .545;
   // λ, of the shape for lengths that are certain. Linear: the terms above vanish too fast to hold a layer to its height
-  // (measured on a boundary layer: 50 times κ and κ' do less than this).
+  // (measured on a boundary layer: 50 times κ and κ' do less than this). Four times as much costs a poor CAD part .011 of
+  // its average.
   double certain_shape_weight = 1;
 };
 

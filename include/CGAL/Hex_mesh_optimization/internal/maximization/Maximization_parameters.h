@@ -66,7 +66,8 @@ struct Maximization_parameters
   double accepted_loss = .01;
 
   // Lengths that the caller asks for are kept so many times as closely as those that only seem to be meant, at what that
-  // costs in quality.
+  // costs in quality (measured on layers that grow by 1.4: the percentiles 1 and 99 of their heights are .86 and 1.12 of
+  // those asked for, instead of .63 and 1.32).
   double weight_of_lengths_asked_for = 15;
 
   // --- Bounded distances ---
