@@ -707,7 +707,8 @@ std::string refusal(const Surface_mesh& surface)
   try {
     const auto np =
       params::optimization_method(HMO::Method::RECTIFICATION).number_of_iterations(5).number_of_restarts(0);
-    expect_honest(before, mesh, CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface, np));
+    const HMO::Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.cells, surface, np);
+    expect_honest(before, mesh, status);
     return "";
   }
   catch (const HMO::Input_error& error) {
