@@ -3,15 +3,14 @@
 
 // Writes a hexahedral mesh of a simple solid, or the subdivision of another mesh, tangled on request.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
+#include "files.h"
+
 #include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_subdivision.h>
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
@@ -22,9 +21,6 @@
 #include <vector>
 
 namespace HMO = CGAL::Hex_mesh_optimization;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Points = std::vector<Kernel::Point_3>;
-using Hexahedra = std::vector<std::array<std::size_t, 8>>;
 
 int main(int argc, char** argv)
 {
@@ -46,7 +42,7 @@ int main(int argc, char** argv)
     {"plate_with_hole", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_plate_with_hole(p, h, 2 * n, n); }},
     {"of_file",
      [&input](Points& p, Hexahedra& h, std::size_t n) {
-       CGAL::IO::read_hex_mesh(input, p, h);
+       read(input, p, h);
        HMO::subdivide_hex_mesh(p, h, n);
      }},
     {"ring", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ring(p, h, 9 * n, n); }},
@@ -116,7 +112,7 @@ int main(int argc, char** argv)
       std::cout << "displaced vertex " << v << " (counting from 0)\n";
     }
 
-    CGAL::IO::write_hex_mesh(output, points, hexahedra);
+    write(output, points, hexahedra);
   }
   catch (const std::exception& error) {
     std::cerr << error.what() << "\n";

@@ -5,13 +5,7 @@
 
 #include "program.h"
 
-#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
-#include <CGAL/Hex_mesh_optimization/IO/surface.h>
-#include <CGAL/Hex_mesh_optimization/repair_surface.h>
 #include <CGAL/make_hex_mesh.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <CLI/CLI.hpp>
 
@@ -22,9 +16,6 @@
 #include <iostream>
 #include <string>
 #include <vector>
-
-// exact predicates, for the repair
-using Surface = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
 const char* const exit_codes =
   "The format of a surface (.off, .obj, .stl, .ply, .mesh, .vtk, .vtu) and of a mesh (.mesh, .vtk, .vtu) is told by "
@@ -137,9 +128,9 @@ Exit_code run(const Options& options)
 {
   check_outputs(options);
   Surface surface;
-  CGAL::IO::read_surface(options.surface, surface);
+  read(options.surface, surface);
   if (options.repair)
-    HMO::repair_surface(surface);
+    repair(surface);
 
   Mesh mesh;
   HMO::Meshing_status status;
@@ -150,7 +141,7 @@ Exit_code run(const Options& options)
     iterations = watcher.iterations();
   }
 
-  CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra);
+  write(options.output, mesh.points, mesh.hexahedra);
   if (!options.quiet) {
     print_report(status, mesh);
     if (!status.has_topology_of_surface)

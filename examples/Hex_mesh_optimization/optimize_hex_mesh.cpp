@@ -6,8 +6,7 @@
 
 #include "program.h"
 
-#include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
-#include <CGAL/Hex_mesh_optimization/IO/surface.h>
+#include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
 #include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 #include <CGAL/optimize_hex_mesh.h>
@@ -109,10 +108,10 @@ std::vector<std::string> losses(const Mesh& mesh, const std::string& output)
   return result;
 }
 
-Mesh read(const Options& options)
+Mesh read_input(const Options& options)
 {
   Mesh mesh;
-  CGAL::IO::read_hex_mesh(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
+  read(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.label_array.empty() && !mesh.attachments.use_label_array(options.label_array))
     throw CGAL::IO::Hex_mesh_file_error(options.input, 0,
                                         "there is no array \"" + options.label_array +
@@ -164,8 +163,7 @@ std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_
 }
 
 // reference: used if the options name one
-HMO::Status optimize(Mesh& mesh, const Labels& labels, const Surface_mesh& reference, const Options& o,
-                     Watcher& watcher)
+HMO::Status optimize(Mesh& mesh, const Labels& labels, const Surface& reference, const Options& o, Watcher& watcher)
 {
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
@@ -210,17 +208,17 @@ Json json(const Options& o)
 struct Input
 {
   Mesh mesh, beside;
-  Surface_mesh reference;
+  Surface reference;
 };
 
 Input read_all(const Options& o)
 {
   Input input;
-  input.mesh = read(o);
+  input.mesh = read_input(o);
   if (!o.beside.empty())
-    CGAL::IO::read_hex_mesh(o.beside, input.beside.points, input.beside.hexahedra);
+    read(o.beside, input.beside.points, input.beside.hexahedra);
   if (!o.reference.empty())
-    CGAL::IO::read_surface(o.reference, input.reference);
+    read(o.reference, input.reference);
   return input;
 }
 
@@ -284,7 +282,7 @@ Exit_code run(const Options& options)
   for (std::size_t h : status.turned_hexahedra)
     std::swap_ranges(mesh.hexahedra[h].begin(), mesh.hexahedra[h].begin() + 4, mesh.hexahedra[h].begin() + 4);
 
-  CGAL::IO::write_hex_mesh(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+  write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.quiet)
     print_report(status, mesh, labels);
   Json report =

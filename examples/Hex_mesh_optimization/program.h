@@ -7,6 +7,7 @@
 // The manners that the command-line programs share: exit codes, progress, interruption, the report in words, as JSON and as a
 // page.
 
+#include "files.h"
 #include "report/Report_page.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
@@ -14,9 +15,6 @@
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/optimize_hex_mesh.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -50,8 +48,6 @@
 #endif
 
 namespace HMO = CGAL::Hex_mesh_optimization;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Json = nlohmann::ordered_json;
 
 enum Exit_code { ALL_IS_MET = 0, SOMETHING_IS_NOT_MET = 1, USAGE_ERROR = 2, UNUSABLE_FILE = 3 };
@@ -184,8 +180,8 @@ inline auto common_parameters(const Common_options& o, Watcher& watcher)
 
 struct Mesh
 {
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::array<std::size_t, 8>> hexahedra;
+  Points points;
+  Hexahedra hexahedra;
   CGAL::IO::Hex_mesh_attachments attachments;
   std::vector<std::size_t> merged_into; // another vertex, for each; empty: none is merged
 

@@ -1,0 +1,8 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "files.h"
+
+#include <CGAL/Hex_mesh_optimization/repair_surface.h>
+
+void repair(Surface& surface) { CGAL::Hex_mesh_optimization::repair_surface(surface); }
