@@ -72,7 +72,7 @@ using Allocating_kernel = CGAL::Cartesian<double>;
 Indexed_mesh tangled_block()
 {
   Indexed_mesh mesh;
-  HMO::make_block(mesh.points, mesh.hexahedra, {{3, 3, 2}}, {{3, 3, 2}});
+  HMO::make_block(mesh.points, mesh.hexahedra, {{2, 2, 2}}, {{2, 2, 2}});
   HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
   HMO::jitter_boundary(mesh.points, mesh.hexahedra, 1, .5);
   return mesh;
@@ -82,7 +82,7 @@ const Surface_mesh& surface()
 {
   static const Surface_mesh result = [] {
     Indexed_mesh mesh;
-    HMO::make_block(mesh.points, mesh.hexahedra, {{3, 3, 2}}, {{3, 3, 2}});
+    HMO::make_block(mesh.points, mesh.hexahedra, {{2, 2, 2}}, {{2, 2, 2}});
     Surface_mesh s;
     using Vertex = Surface_mesh::Vertex_index;
     for_boundary(
