@@ -80,7 +80,7 @@ struct Maximization_parameters
   std::size_t most_bounded_iterations = 60;
   // Further factor of both weights of the shape: in a narrow tube edges are the more likely to collapse (measured: the
   // ratios of edges of a hundredth of the hexahedra of a CAD part are 2.6 instead of 3.1).
-  double bounded_shape = 2.5;
+  double bounded_shape = 3;
   // Where only interfaces are bounded, the shape yields first, by the factor and down to the least: hexahedra with two
   // faces on one smooth interface need not be flat if edges across it may become longer than others (measured: a ball
   // in a block, bound to .09 edges, reaches a minimum of .57 instead of .38).
