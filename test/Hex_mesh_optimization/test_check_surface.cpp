@@ -4,9 +4,10 @@
 // Surfaces that bound no volume are refused with the reason and the place, and mended where that is possible.
 
 #include "Generated_surface.h"
+#include "files.h"
 
 #include <CGAL/Hex_mesh_optimization/check_surface.h>
-#include <CGAL/Hex_mesh_optimization/repair_surface.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
@@ -115,7 +116,7 @@ TEST(check_surface, refuses_numbers_that_are_not_finite_and_faces_without_an_are
 TEST(repair_surface, fills_holes_and_turns_components)
 {
   for (Surface surface : {open_cube(), inverted(cube()), two(cube(), smaller_cube())}) {
-    HMO::repair_surface(surface);
+    repair(surface);
     surface.collect_garbage();
     EXPECT_EQ(refusal(surface), "");
   }
