@@ -590,16 +590,16 @@ TEST(Unusual_input, with_one_coordinate_of_1e150)
 {
   for (double far : {1e150, -1e150, 1e300}) {
     SCOPED_TRACE(far);
-    Mesh mesh = block(3, 3, 3, false);
+    Mesh mesh = block(2, 2, 2, false);
     for (Point& p : mesh.points)
       if (p == Point(1, 1, 1))
         p = Point(1, far, 1);
     const HMO::Status status = optimized(mesh); // an interior vertex
     EXPECT_EQ(status.number_of_turned_hexahedra(), 0u);
     EXPECT_GT(status.before.number_of_invalid, 0u);
-    EXPECT_LT(status.before.number_of_invalid, 27u);
+    EXPECT_LT(status.before.number_of_invalid, 8u);
     EXPECT_TRUE(status.valid_mesh() || std::abs(far) > 1e150); // whose square is no number any more
-    mesh = block(3, 3, 3, false);
+    mesh = block(2, 2, 2, false);
     mesh.points[0] = Point(far, 0, 0); // a corner
     const Points before = mesh.points;
     try {
