@@ -52,7 +52,7 @@ struct Boundary_sample_parameters
   double feature_weight = 4.6;
   // Bound of the distances of interfaces, in local edge lengths: between the samples it may be somewhat more, and a
   // tenth is what an interface may be off.
-  double interface_deviation = .08;
+  double interface_deviation = .085;
   // Samples keep their targets until they have moved this far, in local edge lengths.
   double still_distance = .02;
 
