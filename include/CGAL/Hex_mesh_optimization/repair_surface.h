@@ -23,6 +23,8 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/iterator.h>
+#include <CGAL/version.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -48,16 +50,17 @@ void repair_surface(TriangleMesh& tmesh)
 {
   namespace PMP = Polygon_mesh_processing;
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
   PMP::stitch_borders(tmesh);
   PMP::remove_degenerate_faces(tmesh);
   std::vector<Halfedge> borders;
   PMP::extract_boundary_cycles(tmesh, std::back_inserter(borders));
-  for (const Halfedge h : borders) {
-    std::vector<Face> ignored;
-    PMP::triangulate_hole(tmesh, h, std::back_inserter(ignored));
-  }
+  for (const Halfedge h : borders)
+#if CGAL_VERSION_NR >= 1050600000
+    PMP::triangulate_hole(tmesh, h);
+#else
+    PMP::triangulate_hole(tmesh, h, CGAL::Emptyset_iterator());
+#endif
   if (CGAL::is_closed(tmesh) && PMP::does_self_intersect(tmesh))
     PMP::experimental::remove_self_intersections(tmesh);
   if (CGAL::is_closed(tmesh))
