@@ -43,7 +43,8 @@ function(plain text variable)
 endfunction()
 
 plain("${output}" output)
-string(REGEX MATCHALL "(warning|error): [^\n]*" complaints "${output}")
+# with their place: some compilers quote the line of the call, with what it expects
+string(REGEX MATCHALL ":[0-9]+: (fatal )?(warning|error): [^\n]*" complaints "${output}")
 file(STRINGS ${SOURCE} lines REGEX "// error: ")
 set(expected "")
 foreach(line IN LISTS lines)
