@@ -78,8 +78,9 @@ struct Maximization_parameters
   double recovery = 1.03;
   // While there is excess, it goes on for so many iterations.
   std::size_t most_bounded_iterations = 60;
-  // Further factor of both weights of the shape: in a narrow tube edges are the more likely to collapse (measured: the
-  // ratios of edges of a hundredth of the hexahedra of a CAD part are 2.6 instead of 3.1).
+  // Further factor of both weights of the shape: in a narrow tube edges are the more likely to collapse (measured on
+  // a CAD part bound to .02 % of its diagonal: the 99th percentile of their ratios is 2.7, 2.6 and 2.5 with 2.5, 3 and 6,
+  // which costs .0007 of the mean).
   double bounded_shape = 3;
   // Where only interfaces are bounded, the shape yields first, by the factor and down to the least: hexahedra with two
   // faces on one smooth interface need not be flat if edges across it may become longer than others (measured: a ball
