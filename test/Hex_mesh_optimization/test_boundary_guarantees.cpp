@@ -169,6 +169,24 @@ TEST_P(Boundary_guarantees, a_bound_of_the_deviation_is_obeyed)
   EXPECT_GT(improved, 0);
 }
 
+// What a smaller bound allows, a larger one does too. The average may yield a little to the minimum.
+TEST_P(Boundary_guarantees, a_larger_bound_gives_no_lower_minimum)
+{
+  const Indexed_mesh intact = sheared(GetParam()());
+  double minimum = 0, average = 0;
+  for (double edges : {.02, .1, .4, std::numeric_limits<double>::infinity()}) {
+    SCOPED_TRACE("bound " + std::to_string(edges));
+    Indexed_mesh mesh = intact;
+    HMO::scramble_interior(mesh.points, mesh.hexahedra, 1, .1);
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                  params::maximum_deviation(edges * intact.mean_edge_length()));
+    EXPECT_GE(status.after.minimum, minimum - .01);
+    EXPECT_GE(status.after.average, average - .015);
+    minimum = (std::max)(minimum, status.after.minimum);
+    average = (std::max)(average, status.after.average);
+  }
+}
+
 // All are, but those that the status names.
 void expect_on_surface(const Indexed_mesh& intact, bool all_arrive)
 {

@@ -138,6 +138,33 @@ TEST_P(Sliding_of_families, calls_what_is_away)
     EXPECT_EQ(way, Vector_3(Vector_3::Zero()));
 }
 
+// What has not come is free from then on, and still told; what has come stays held
+TEST_P(Sliding_of_families, releases_what_is_away)
+{
+  Attached_mesh s(GetParam()());
+  std::mt19937 random(7);
+  s.scramble(random, .2, true);
+  Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
+  EXPECT_TRUE(sliding.holds_more_than_corners());
+  EXPECT_FALSE(s.sliding().holds_more_than_corners());
+  sliding.call_all();
+  const Positions ways = sliding.ways(s.points);
+  const std::vector<int> called = sliding.vertices_away();
+  ASSERT_GT(called.size(), 1u);
+  const int last = called.back();
+  for (int v : called)
+    if (v != last)
+      s.points[v] += ways[v];
+  sliding.arrive(s.points);
+  sliding.release_those_away();
+  EXPECT_FALSE(sliding.are_some_away());
+  EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
+  const Freedoms freedoms = sliding.freedoms(s.points);
+  for (int v : called)
+    EXPECT_EQ(freedoms[v].dimension() == 3, v == last) << v;
+  EXPECT_EQ(sliding.ways(s.points)[last], Vector_3(Vector_3::Zero()));
+}
+
 // A block whose only sharp edges are those around its top: four corners that are turns
 struct Block_with_turns
 {

@@ -68,6 +68,12 @@ public:
     notice_arrivals(points, true);
   }
 
+  // Whether it holds vertices on curves or faces too.
+  bool holds_more_than_corners() const
+  {
+    return std::any_of(held_.begin(), held_.end(), [this](int v) { return kind_[v] != Kind::CORNER; });
+  }
+
   // From now on, all that is attached is to come to its place, and to stay there.
   void call_all() { are_all_called_ = true; }
 
@@ -77,12 +83,22 @@ public:
     return are_all_called_ && std::any_of(held_.begin(), held_.end(), [this](int v) { return !is_there_[v]; });
   }
 
-  // Those that are not where they are to stand.
+  // Those that are not where they are to stand, released or not.
   std::vector<int> vertices_away() const
   {
-    std::vector<int> result;
+    std::vector<int> result = released_;
     std::copy_if(held_.begin(), held_.end(), std::back_inserter(result), [this](int v) { return !is_there_[v]; });
     return result;
+  }
+
+  // Lets go for good what has not come.
+  void release_those_away()
+  {
+    const auto away = std::stable_partition(held_.begin(), held_.end(), [this](int v) { return is_there_[v]; });
+    released_.insert(released_.end(), away, held_.end());
+    held_.erase(away, held_.end());
+    for (int v : released_)
+      kind_[v] = Kind::FREE;
   }
 
   // Whether a vertex does not move at all.
@@ -177,6 +193,7 @@ private:
   const Boundary_attachment& attachment_;
   std::vector<Kind> kind_;
   std::vector<int> held_;      // vertices that are to stand on their places
+  std::vector<int> released_;  // vertices that were to
   std::vector<char> is_there_; // of each vertex
   bool are_all_called_ = false;
   mutable std::vector<std::size_t> hints_; // for searches; whatever they are, the results are the same

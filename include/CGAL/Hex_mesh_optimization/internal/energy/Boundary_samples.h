@@ -115,15 +115,15 @@ struct Boundary_sample
 class Boundary_samples
 {
 public:
-  // faces: of the complex, with the sheets of the surface. lengths: the target lengths of the edges. trusted: the
-  // reference is not the boundary of the mesh itself. maximum_deviation: the bound of all distances. The complex, the
+  // faces: of the complex, with the sheets of the surface. lengths: the target lengths of the edges. has_tolerance: a
+  // mesh has to be brought to the reference, which is not its own boundary. maximum_deviation: the bound of all distances. The complex, the
   // faces, the surface and the attachment must outlive the object.
   Boundary_samples(const Hexahedral_complex& complex, const Surface_faces& faces, const Reference_surface& surface,
-                   const Boundary_attachment& attachment, const std::vector<double>& lengths, bool trusted,
+                   const Boundary_attachment& attachment, const std::vector<double>& lengths, bool has_tolerance,
                    double maximum_deviation, const Boundary_sample_parameters& parameters)
     : parameters_(parameters)
     , maximum_deviation_(maximum_deviation)
-    , tolerance_(trusted ? parameters.tolerance : std::numeric_limits<double>::infinity())
+    , tolerance_(has_tolerance ? parameters.tolerance : std::numeric_limits<double>::infinity())
     , faces_(faces)
     , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(),
                                  [](const std::array<int, 2>& labels) { return labels[1] != Surface_faces::no_label; }))

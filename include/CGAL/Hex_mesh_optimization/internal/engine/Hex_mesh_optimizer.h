@@ -196,10 +196,12 @@ private:
   // What untangling finds of the boundary, maximization goes on with.
   Boundary_samples& boundary_samples()
   {
+    // where all vertices are to be on the surface, those that are not are counted instead
+    const bool has_tolerance = model_.reference_is_given &&
+                               parameters_.boundary_placement != Boundary_placement::ON_SURFACE;
     if (!samples_)
       samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment, model_.targets.lengths,
-                       model_.reference_is_given, parameters_.maximum_deviation / model_.unit,
-                       parameters_.boundary.samples);
+                       has_tolerance, parameters_.maximum_deviation / model_.unit, parameters_.boundary.samples);
     return *samples_;
   }
 

@@ -62,6 +62,10 @@ struct Maximization_parameters
   std::size_t patience = 10;
   std::size_t settling_iterations = 16;
   std::size_t longest_settling_iterations = 40;
+  // While vertices are called to exact places on curves and faces, what hexahedra have to keep yields by the factor in
+  // each iteration. What has not come when it has become this little, they cannot give.
+  double yielding_to_arrivals = .97;
+  double least_level_of_arrivals = .3;
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
   double accepted_loss = .01;
 

@@ -96,6 +96,9 @@ public:
     });
   }
 
+  // Forgets how high it has risen.
+  void restart() { floor_ = highest_ = 0; }
+
   double held() const { return held_; }
   // What is held gives way to something that comes before quality, or recovers from that with a factor above 1.
   void yield(double factor) { yield_ = (std::min)(1.0, factor * yield_); }

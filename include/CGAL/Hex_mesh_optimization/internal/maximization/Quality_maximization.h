@@ -88,20 +88,36 @@ public:
     double excess = samples_.excess(points), least_excess = std::numeric_limits<double>::infinity();
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
-    bool tightens = false, recovers = false, used_up = false; // the iterations of a phase
-    std::size_t waited = 0, settled = 0;
+    bool arrives = false, tightens = false, recovers = false, used_up = false; // the iterations of a phase
+    std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       const bool is_high = quality.minimum >= floor_.worth_holding(quality) &&
                            climb.iterations_without_change_of_average() >= parameters_.climbing_patience_for_average;
       const bool is_done = is_high || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
-      if (!tightens && (is_done || i == parameters_.climbing_iterations)) {
+      const bool ends = !tightens && (is_done || i == begun + parameters_.climbing_iterations);
+      if (ends && !arrives && sliding_.holds_more_than_corners()) {
+        // where nothing is loose, it has to climb there once more
+        arrives = true;
+        sliding_.call_all();
+        level_ = quality.minimum;
+      }
+      if (arrives && !tightens && sliding_.are_some_away()) {
+        level_ *= parameters_.yielding_to_arrivals;
+        floor_.restart();
+        begun = i + 1;
+        climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
+        if (level_ < parameters_.least_level_of_arrivals)
+          sliding_.release_those_away();
+      }
+      else if (ends) {
         tightens = true;
         used_up = !is_done;
         shape_ = (samples_.is_bounded_everywhere() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
                  (parameters_.shape_balance_offset + 1 - quality.average);
         weigh_shape();
         sliding_.call_all();
+        level_ = 0;
         adapt_lengths(points);
       }
       if (!tightens)
@@ -121,7 +137,7 @@ public:
       }
       if (approaches || (samples_.is_bounded() && boundary_.tightness < 1)) // walls move with the tightness
         samples_.update(points, boundary_.tightness);
-      const Batched_values<1> least = least_scaled_jacobians(quality);
+      const Batched_values<1> least = least_scaled_jacobians(quality, parameters_.least_part_of_corner);
       const auto retract = [this](Positions& p) { sliding_.retract(p); };
       const auto restrict_step = [&](Positions& step) {
         hold_corners(
@@ -189,24 +205,25 @@ private:
     return is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations;
   }
 
-  // Goes the ways of what is called to its place, as far as the hexahedra allow it.
+  // Goes the ways of what is called to its place, as far as the hexahedra allow it. What is below the level that is
+  // held gives nothing: in each iteration a part of what is left would wear it down.
   void approach(const Mesh_quality& quality, Positions& points)
   {
     Positions step = sliding_.ways(points);
     hold_corners(
-      complex_, batches_, points, least_scaled_jacobians(quality), parameters_.holding_rounds, [](Positions&) {},
+      complex_, batches_, points, least_scaled_jacobians(quality, 1), parameters_.holding_rounds, [](Positions&) {},
       [](const Positions&, std::vector<char>&) {}, step);
     for_each(points.size(), [&](std::size_t v) { points[v] += step[v]; });
     sliding_.arrive(points);
   }
 
-  // What no corner of each hexahedron may drop below in the next step.
-  Batched_values<1> least_scaled_jacobians(const Mesh_quality& quality) const
+  // What no corner of each hexahedron may drop below in the next step. part: of its own.
+  Batched_values<1> least_scaled_jacobians(const Mesh_quality& quality, double part) const
   {
-    const double level = floor_.held() > 0 ? floor_.held() : quality.minimum;
+    const double level = level_ > 0 ? level_ : floor_.held() > 0 ? floor_.held() : quality.minimum;
     Batched_values<1> least(quality.scaled_jacobians.size());
     for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h)
-      least.set(h, 0, parameters_.least_part_of_corner * (std::min)(level, quality.scaled_jacobians[h]));
+      least.set(h, 0, (std::min)(parameters_.least_part_of_corner * level, part * quality.scaled_jacobians[h]));
     return least;
   }
 
@@ -242,6 +259,7 @@ private:
   Boundary_energy boundary_;
   Sliding& sliding_;
   Target_lengths targets_;             // of the edges
+  double level_ = 0;                   // below which nothing gives way to arrivals, while there are any
   double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
 };
 

@@ -25,7 +25,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 //   1. their standings,
 //   2. how loosely the boundary is attached, where the stage varies that,
 //   3. the later one, unless its minimum falls behind the highest of those states by more than is accepted.
-// And a mesh that came in valid, with its boundary where it is tolerated, never gets a lower minimum.
+// And a mesh that came in valid, with its boundary where it is to be, never gets a lower minimum.
 class Best_state
 {
 public:

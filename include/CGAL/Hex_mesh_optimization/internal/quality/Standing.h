@@ -24,7 +24,7 @@ struct Standing
   double excess;                 // of the boundary over what is tolerated, at its worst place; 0 within the tolerance
   std::size_t away;              // vertices that do not stand exactly where they are to stand
 
-  bool is_good() const { return invalid == 0 && !(excess > 0); }
+  bool is_good() const { return invalid == 0 && !(excess > 0) && away == 0; }
 };
 
 // Whether the first comes before the second: the fewest inverted hexahedra, the fewest invalid ones, the least excess,
