@@ -480,6 +480,17 @@ TEST(Labels_of_a_linear_cell_complex, are_those_of_ranges)
 
 // --- With a reference ------------------------------------------------------------------------
 
+Surface_mesh boundary_of(const Indexed_mesh& mesh)
+{
+  Surface_mesh surface;
+  for_boundary(
+    mesh, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
+      surface.add_face(a, b, c);
+    });
+  return surface;
+}
+
 // Two disks, one on the other, within a cylinder of this radius
 Labelled_mesh pile(double radius)
 {
@@ -489,18 +500,13 @@ Labelled_mesh pile(double radius)
   return mesh;
 }
 
-// The rim goes along with the outside, what is within stays in its plane.
+// The rim goes along with the outside, however far that is, what is within stays in its plane.
 TEST(Reference_of_the_outside, takes_the_rims_of_interfaces_along)
 {
   Indexed_mesh finer;
   HMO::make_cylinder(finer.points, finer.hexahedra, 12, 12);
-  Surface_mesh surface;
-  for_boundary(
-    finer, [&](const Point& p) { return surface.add_vertex(p); },
-    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
-      surface.add_face(a, b, c);
-    });
-  for (double radius : {1., .99})
+  const Surface_mesh surface = boundary_of(finer);
+  for (double radius : {1., .99, .94, 1.06})
     for (unsigned seed = 0; seed < 3; ++seed) {
       SCOPED_TRACE(std::to_string(radius) + ", seed " + std::to_string(seed));
       Labelled_mesh mesh = pile(radius);
@@ -523,9 +529,42 @@ TEST(Reference_of_the_outside, takes_the_rims_of_interfaces_along)
       EXPECT_EQ(rim, 16);
       EXPECT_GT(within, 20);
       ASSERT_EQ(status.interfaces.size(), 1u);
+      EXPECT_LE(status.interfaces[0].deviation.maximum, .1 * edge);
       for (const auto& region : status.regions)
         EXPECT_NEAR(region.after, volume_of_label(mesh, region.label), 1e-9);
     }
+}
+
+// Interfaces between waves, which go on as they end. All of the outside is elsewhere.
+TEST(Reference_of_the_outside, takes_the_rims_of_curved_interfaces_along)
+{
+  const auto wave = [](const Point& p) { return .4 * std::sin(.9 * p.x()) * std::cos(.5 * p.y()); };
+  for (double factor : {.95, 1.05}) {
+    SCOPED_TRACE(factor);
+    Labelled_mesh mesh = layered_plate(), scaled;
+    HMO::make_block(scaled.points, scaled.hexahedra, {{28, 24, 2}}, {{7, 6, 6}});
+    scaled.bend([&](const Point& p) {
+      const Point q(3.5 + factor * (p.x() - 3.5), 3 + factor * (p.y() - 3), 3 + factor * (p.z() - 3));
+      return Point(q.x(), q.y(), q.z() + wave(q));
+    });
+    scramble_within_regions(mesh, 1, .4);
+    const double limit = .1 * mesh.mean_edge_length();
+    const Surface_mesh surface = boundary_of(scaled);
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface,
+                                                  regions_of(mesh).maximum_deviation(limit));
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_GT(status.after.minimum, .5);
+    EXPECT_TRUE(status.is_within_deviation_bound()) << status.deviation.certified;
+    ASSERT_EQ(status.interfaces.size(), 1u);
+    EXPECT_LE(status.interfaces[0].deviation.maximum, limit);
+    const auto between = interfaces(mesh);
+    for (const auto& face : between.begin()->second)
+      for (int v : face) {
+        const Point& p = mesh.points[v];
+        const double z = p.z() - wave(p);
+        EXPECT_LE((std::min)(std::abs(z - 2), std::abs(z - 4)), limit) << v;
+      }
+  }
 }
 
 } // namespace

@@ -27,6 +27,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Rims.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
@@ -150,21 +151,25 @@ private:
                                                : sharp_edges(normalized, reference.triangles, features.angle_bound);
     std::vector<Triangle_indices> triangles = reference.triangles;
     std::vector<int> sheets;
+    std::vector<std::size_t> rims;
     if (faces.labels.size() > 1)
-      append_interfaces(features.angle_bound, normalized, triangles, sheets, sharp);
+      append_interfaces(features.angle_bound, normalized, triangles, sheets, rims, sharp);
+    Rims its_rims(triangles, sheets, rims, Beyond_rim::PLANE);
     return std::make_unique<const Reference_surface>(std::move(normalized), std::move(triangles), std::move(sharp),
-                                                     reference.sharp_is_given, features, std::move(sheets));
+                                                     reference.sharp_is_given, features, std::move(sheets),
+                                                     std::vector<int>(), std::move(its_rims));
   }
 
   // To a reference for what has nothing beyond, what is between regions, as it is. Where an interface ends at the outer
-  // boundary it goes along with that; no curve holds it where it was.
+  // boundary it goes along with that; no curve holds it where it was. rims: as Rims takes them
   void append_interfaces(double angle_bound, Positions& reference_points, std::vector<Triangle_indices>& triangles,
-                         std::vector<int>& sheets, Edge_list& sharp) const
+                         std::vector<int>& sheets, std::vector<std::size_t>& rims, Edge_list& sharp) const
   {
     const int first = static_cast<int>(reference_points.size());
     reference_points.insert(reference_points.end(), points.begin(), points.end());
     sheets.assign(triangles.size(), 0);
     const std::vector<Triangle_indices> of_faces = split_quads(faces.quads);
+    const Rims of_mesh = triangle_rims(faces);
     std::vector<char> is_outside(points.size(), false);
     for (std::size_t f = 0; f < faces.quads.size(); ++f)
       if (mesh.complex.boundary_faces[f].beyond < 0)
@@ -173,6 +178,9 @@ private:
       else
         for (std::size_t t : {2 * f, 2 * f + 1}) {
           const Triangle_indices& vertices = of_faces[t];
+          for (int k = 0; k < 3; ++k)
+            if (of_mesh.has(t, k))
+              rims.push_back(3 * triangles.size() + k);
           triangles.push_back({vertices[0] + first, vertices[1] + first, vertices[2] + first});
           sheets.push_back(faces.sheet(static_cast<int>(f)));
         }
