@@ -187,6 +187,17 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *                    linear cell complex, in the order of `linear_cell_complex_to_hexahedra()`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{interface_references}
+ *     \cgalParamDescription{surfaces that interfaces between two labels are brought to, in the place of the interfaces as
+ *                           they came in. Where such a surface ends within the mesh it is taken to go on in its plane;
+ *                           it may reach out of the mesh, and be oriented either way. It has no feature curves: vertices
+ *                           slide on all of it. See \ref HexMeshOptimizationRegions.}
+ *     \cgalParamType{a range of pairs, such as a `std::map`, of two labels (`std::pair<int, int>` or
+ *                    `std::array<int, 2>`, in any order) and a surface: a model of `FaceListGraph` and
+ *                    `HalfedgeListGraph` with an internal property map of points, or a `std::pair` of points and
+ *                    triples of indices}
+ *     \cgalParamDefault{none: interfaces are kept where they are}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{fixed_boundary}
  *     \cgalParamDescription{whether no vertex of the outer boundary may move; those within interfaces may}
  *     \cgalParamType{`bool`}

@@ -31,6 +31,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -565,6 +566,146 @@ TEST(Reference_of_the_outside, takes_the_rims_of_curved_interfaces_along)
         EXPECT_LE((std::min)(std::abs(z - 2), std::abs(z - 4)), limit) << v;
       }
   }
+}
+
+// --- With references of interfaces ---------------------------------------------------------------
+
+// A surface over a square around (3, 3)
+using Soup = std::pair<std::vector<Point>, std::vector<std::array<int, 3>>>;
+
+template <class Height>
+Soup surface_over(double half, const Height& height)
+{
+  const int n = 24;
+  Soup soup;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const double x = 3 + half * (2. * i / n - 1), y = 3 + half * (2. * j / n - 1);
+      soup.first.emplace_back(x, y, height(x, y));
+      if (i < n && j < n) {
+        const int v = i + (n + 1) * j;
+        soup.second.push_back({v, v + 1, v + n + 2});
+        soup.second.push_back({v, v + n + 2, v + n + 1});
+      }
+    }
+  return soup;
+}
+
+Surface_mesh as_mesh(const Soup& soup)
+{
+  Surface_mesh mesh;
+  for (const Point& p : soup.first)
+    mesh.add_vertex(p);
+  for (const auto& t : soup.second)
+    mesh.add_face(Surface_mesh::Vertex_index(t[0]), Surface_mesh::Vertex_index(t[1]), Surface_mesh::Vertex_index(t[2]));
+  return mesh;
+}
+
+double wave(double x, double y) { return 3 + .4 * std::sin(1.1 * x) * std::cos(.7 * y); }
+double slope(double x, double y) { return 3.2 + .25 * (x - 3) + .15 * (y - 3); }
+
+// A block of voxels, divided as the surface says
+Labelled_mesh voxels_below(double (*height)(double, double))
+{
+  Labelled_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{6, 6, 6}}, {{6, 6, 6}});
+  mesh.label([&](const Point& p) { return p.z() < height(p.x(), p.y()) ? 1 : 2; });
+  return mesh;
+}
+
+void expect_interface_on(const Labelled_mesh& mesh, const Status& status, double (*height)(double, double),
+                         double tolerance)
+{
+  EXPECT_TRUE(status.valid_mesh());
+  ASSERT_EQ(status.interfaces.size(), 1u);
+  EXPECT_LE(status.interfaces[0].deviation.maximum, .1);
+  const auto between = interfaces(mesh);
+  for (const auto& face : between.begin()->second)
+    for (int v : face)
+      EXPECT_NEAR(mesh.points[v].z(), height(mesh.points[v].x(), mesh.points[v].y()), tolerance) << v;
+  // the outside is where it was
+  const auto is_outside = mesh.complex().is_on_boundary;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (is_outside[v]) {
+      const Point& p = mesh.points[v];
+      double nearest = 1;
+      for (double x : {p.x(), p.y(), p.z()}) {
+        EXPECT_NEAR(x, 3, 3.1) << v;
+        nearest = (std::min)(nearest, 3 - std::abs(x - 3));
+      }
+      EXPECT_LE(nearest, .1) << v;
+    }
+}
+
+TEST(References_of_interfaces, are_what_interfaces_are_brought_to)
+{
+  for (const auto height : {wave, slope})
+    for (double half : {4., 2.6}) { // out of the block, and not up to its sides
+      SCOPED_TRACE(std::to_string(height == wave) + ' ' + std::to_string(half));
+      const double tolerance = half > 3 ? .1 : .15; // where it ends, it goes on straight
+      const Soup soup = surface_over(half, height);
+      Labelled_mesh mesh = voxels_below(height), again = mesh;
+      const Surface_mesh outside = boundary_of(mesh);
+      const std::map<std::pair<int, int>, Surface_mesh> surfaces{{{2, 1}, as_mesh(soup)}};
+      const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                    regions_of(mesh).interface_references(surfaces));
+      EXPECT_GE(status.after.minimum, .6);
+      expect_interface_on(mesh, status, height, tolerance);
+      // with a reference of the outside, and as a soup
+      const std::vector<std::pair<std::array<int, 2>, Soup>> soups{{{{1, 2}}, soup}};
+      const Status of_both = CGAL::optimize_hex_mesh(again.points, again.hexahedra, outside,
+                                                     regions_of(again).interface_references(soups));
+      EXPECT_GE(of_both.after.minimum, .6);
+      expect_interface_on(again, of_both, height, tolerance);
+    }
+}
+
+// Pairs of labels without one keep their interface, also where it ends at one that moves.
+TEST(References_of_interfaces, leave_the_others_where_they_are)
+{
+  Labelled_mesh mesh = voxels_below([](double, double) { return 3.; });
+  mesh.label([](const Point& p) { return p.z() < 3 ? 1 : p.x() < 3 ? 2 : 3; });
+  const std::map<std::pair<int, int>, Soup> surfaces{{{1, 2}, surface_over(4, [](double, double) { return 3.3; })},
+                                                     {{1, 3}, surface_over(4, [](double, double) { return 3.3; })}};
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                regions_of(mesh).interface_references(surfaces));
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_GE(status.after.minimum, .8);
+  ASSERT_EQ(status.interfaces.size(), 3u);
+  for (const auto& i : status.interfaces)
+    EXPECT_LE(i.deviation.maximum, .1);
+  const auto between = interfaces(mesh);
+  for (const auto& [labels, faces] : between)
+    for (const auto& face : faces)
+      for (int v : face)
+        EXPECT_NEAR(labels[0] == 1 ? mesh.points[v].z() - 3.3 : mesh.points[v].x() - 3, 0, .1) << v;
+}
+
+TEST(References_of_interfaces, that_do_not_fit_are_refused)
+{
+  Labelled_mesh mesh = voxels_below(wave);
+  const Labelled_mesh intact = mesh;
+  const auto refusal = [&](std::vector<std::pair<std::array<int, 2>, Soup>> surfaces) {
+    try {
+      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, regions_of(mesh).interface_references(surfaces));
+    }
+    catch (const HMO::Input_error& error) {
+      EXPECT_TRUE(same_points(mesh.points, intact.points));
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Soup soup = surface_over(4, wave);
+  EXPECT_EQ(refusal({{{{1, 3}}, soup}}), "there is no interface for the reference surface between labels 1 and 3");
+  EXPECT_EQ(refusal({{{{1, 2}}, soup}, {{{2, 1}}, soup}}), "there are two references for the labels 2 and 1");
+  EXPECT_EQ(refusal({{{{1, 2}}, Soup()}}), "the reference surface between labels 1 and 2 is empty");
+  EXPECT_NE(refusal({{{{1, 2}}, surface_over(4, [](double, double) { return 1000.; })}}).find("is far away"),
+            std::string::npos);
+  Soup open = soup;
+  open.second[5] = {0, 1, 100000};
+  EXPECT_EQ(
+    refusal({{{{1, 2}}, open}}),
+    "triangle 5 of the reference surface has a vertex that is not one of its 625 points for the labels 1 and 2");
 }
 
 } // namespace

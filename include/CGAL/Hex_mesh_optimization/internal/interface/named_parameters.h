@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Chosen_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/interface_references.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
@@ -84,6 +85,8 @@ Chosen_parameters chosen_parameters(const NamedParameters& np, const std::vector
       return CGAL::to_double(get(map, std::make_pair(keys[a], keys[b])));
     };
   }
+
+  p.interface_references = interface_references(np);
 
   const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
   if (verbose)

@@ -23,8 +23,10 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <array>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -256,6 +258,47 @@ constexpr bool accepts_labels()
   return has_labels;
 }
 
+// boost::graph_traits does not compile for others.
+template <class T, class = void>
+struct Is_face_graph : std::false_type
+{};
+template <class T>
+struct Is_face_graph<
+  T, std::void_t<decltype(num_faces(std::declval<const T&>())), decltype(num_halfedges(std::declval<const T&>()))>>
+  : std::true_type
+{};
+
+// Pairs of two labels and a surface: a face graph, or a std::pair of points and triples of indices.
+template <class T>
+struct Is_soup : std::false_type
+{};
+template <class PointRange, class TriangleRange>
+struct Is_soup<std::pair<PointRange, TriangleRange>>
+  : std::bool_constant<is_range_of_readable_points<PointRange>() && is_range_of_cells<TriangleRange>()>
+{};
+
+template <class T, class = void>
+struct Is_interface_reference : std::false_type
+{};
+template <class T>
+struct Is_interface_reference<
+  T, std::void_t<decltype(static_cast<int>(std::get<0>(std::declval<const T&>().first))),
+                 decltype(static_cast<int>(std::get<1>(std::declval<const T&>().first))), typename T::second_type>>
+  : std::disjunction<Is_face_graph<typename T::second_type>, Is_soup<typename T::second_type>>
+{};
+
+template <class NamedParameters>
+constexpr bool are_interface_references_if_given()
+{
+  if constexpr (is_given<NamedParameters, internal_np::hex_interface_references_t>) {
+    using References = Given<NamedParameters, internal_np::hex_interface_references_t>;
+    if constexpr (Is_range<const References>::value)
+      return Is_interface_reference<Value_of<const References>>::value;
+    return false;
+  }
+  return true;
+}
+
 // Of optimize_hex_mesh(): the list of the mesh.
 template <class NamedParameters, class Vertex, class Hexahedron>
 constexpr bool accepts_parameters_of_mesh()
@@ -279,19 +322,15 @@ constexpr bool accepts_parameters_of_mesh()
                 "whose value converts to double");
   constexpr bool has_faces = are_internal_faces_if_given<NamedParameters>();
   static_assert(has_faces, "internal_faces() needs a range of ranges of four integers, the indices of vertices");
+  constexpr bool has_references = are_interface_references_if_given<NamedParameters>();
+  static_assert(
+    has_references,
+    "interface_references() needs a range of pairs, such as a std::map, of two labels (std::pair<int, int> or "
+    "std::array<int, 2>) and a surface: a model of FaceListGraph and HalfedgeListGraph, or a std::pair of two "
+    "ranges, points and triples of indices");
   constexpr bool has_rest = accepts_labels<NamedParameters, Hexahedron>() && accepts_visitor<NamedParameters>();
-  return is_of_mesh && has_constraints && has_lengths && has_faces && has_rest;
+  return is_of_mesh && has_constraints && has_lengths && has_faces && has_references && has_rest;
 }
-
-// boost::graph_traits does not compile for others.
-template <class T, class = void>
-struct Is_face_graph : std::false_type
-{};
-template <class T>
-struct Is_face_graph<
-  T, std::void_t<decltype(num_faces(std::declval<const T&>())), decltype(num_halfedges(std::declval<const T&>()))>>
-  : std::true_type
-{};
 
 template <class TriangleMesh, class NamedParameters>
 constexpr bool accepts_surface_parameters()
@@ -371,9 +410,12 @@ constexpr bool accepts_parameters_of_new_mesh()
 {
   constexpr bool has_no_keys =
     !is_one_given<NamedParameters, internal_np::vertex_is_constrained_t, internal_np::hexahedron_label_map_t,
-                  internal_np::hex_internal_faces_t, internal_np::hex_target_edge_length_map_t>;
-  static_assert(has_no_keys, "vertex_is_constrained_map(), hexahedron_label_map(), internal_faces() and "
-                             "target_edge_length_map() need a mesh that exists: call optimize_hex_mesh() with them");
+                  internal_np::hex_internal_faces_t, internal_np::hex_interface_references_t,
+                  internal_np::hex_target_edge_length_map_t>;
+  static_assert(
+    has_no_keys,
+    "vertex_is_constrained_map(), hexahedron_label_map(), internal_faces(), "
+    "interface_references() and target_edge_length_map() need a mesh that exists: call optimize_hex_mesh() with them");
   constexpr bool has_visitor = accepts_visitor<NamedParameters>();
   return has_no_keys && has_visitor;
 }
