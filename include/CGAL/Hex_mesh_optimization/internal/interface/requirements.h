@@ -23,7 +23,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <array>
 #include <functional>
 #include <iterator>
 #include <tuple>
