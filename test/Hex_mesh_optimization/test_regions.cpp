@@ -172,39 +172,60 @@ TEST(Regions, are_what_keeps_an_interface)
   EXPECT_LT(3 * farthest(with), farthest(without));
 }
 
-// They need not be tangled to be improved: vertices slide within an interface.
+// They need not be tangled to be improved: vertices slide within an interface, also where those of the outer boundary are
+// fixed, but not where they are fixed themselves.
 TEST_P(Regions_of, have_vertices_that_slide_in_interfaces)
 {
-  Labelled_mesh mesh = GetParam().make();
+  Labelled_mesh input = GetParam().make();
   std::mt19937 random(7);
-  const auto complex = mesh.regions();
-  const Positions before = positions(mesh);
+  const auto complex = input.regions();
+  const Positions before = positions(input);
   const Surface_faces faces = boundary_surface_faces(complex);
   const auto surface = boundary_as_reference(complex, faces, before, Feature_parameters());
   Boundary_attachment attachment = attach_to_own_boundary(complex, *surface);
   // within smooth interfaces, towards a neighbor
   std::set<int> moved;
+  std::vector<char> is_between(input.points.size(), false);
   for (const Surface_faces::Vertex& v : faces.vertices)
-    if (faces.is_interface(v.face) && attachment.kind[v.vertex] == Vertex_kind::SURFACE && random() % 2 == 0) {
+    if (faces.is_interface(v.face)) {
+      is_between[v.vertex] = true;
+      if (attachment.kind[v.vertex] != Vertex_kind::SURFACE || random() % 2 != 0)
+        continue;
       const auto& q = faces.quads[v.face];
       const int next = q[(std::find(q.begin(), q.end(), v.vertex) - q.begin() + 1) % 4];
       if (moved.count(next))
         continue;
       moved.insert(v.vertex);
-      mesh.points[v.vertex] = CGAL::ORIGIN +
-                              (.7 * (mesh.points[v.vertex] - CGAL::ORIGIN) + .3 * (mesh.points[next] - CGAL::ORIGIN));
+      input.points[v.vertex] = CGAL::ORIGIN + (.7 * (input.points[v.vertex] - CGAL::ORIGIN) +
+                                               .3 * (input.points[next] - CGAL::ORIGIN));
     }
   ASSERT_GT(moved.size(), 0u);
-  const Labelled_mesh input = mesh;
-  const Status status = optimize(mesh);
-  EXPECT_TRUE(status.valid_mesh());
-  EXPECT_GE(status.after.minimum, status.before.minimum);
-  EXPECT_GT(status.after.average, status.before.average);
-  expect_kept(input, mesh, status);
-  int slid = 0;
-  for (int v : moved)
-    slid += !same_bits(mesh.points[v], input.points[v]);
-  EXPECT_GT(slid, 0);
+  const auto is_outside = input.complex().is_on_boundary;
+  enum { NOTHING, OUTSIDE, BOTH };
+  for (int fixed : {NOTHING, OUTSIDE, BOTH}) {
+    SCOPED_TRACE(fixed);
+    Labelled_mesh mesh = input;
+    std::vector<char> is_frozen(mesh.points.size(), false);
+    if (fixed == BOTH)
+      is_frozen = is_between;
+    const Status status = CGAL::optimize_hex_mesh(
+      mesh.points, mesh.hexahedra,
+      regions_of(mesh).fixed_boundary(fixed != NOTHING).vertex_is_constrained_map(Marked_vertices{&is_frozen}));
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_GE(status.after.minimum, status.before.minimum);
+    if (fixed != BOTH) {
+      EXPECT_GT(status.after.average, status.before.average);
+    }
+    expect_kept(input, mesh, status);
+    int slid = 0;
+    for (int v : moved)
+      slid += !same_bits(mesh.points[v], input.points[v]);
+    EXPECT_EQ(slid > 0, fixed != BOTH);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if ((fixed != NOTHING && is_outside[v]) || is_frozen[v]) {
+        EXPECT_TRUE(same_bits(mesh.points[v], input.points[v])) << v;
+      }
+  }
 }
 
 TEST_P(Regions_of, come_out_with_the_same_bits_in_one_thread_and_two)
@@ -679,6 +700,30 @@ TEST(References_of_interfaces, leave_the_others_where_they_are)
     for (const auto& face : faces)
       for (int v : face)
         EXPECT_NEAR(labels[0] == 1 ? mesh.points[v].z() - 3.3 : mesh.points[v].x() - 3, 0, .1) << v;
+}
+
+// With a fixed outer boundary, all but the rim is brought to the surface.
+TEST(References_of_interfaces, are_followed_within_a_fixed_boundary)
+{
+  Labelled_mesh mesh = voxels_below([](double, double) { return 3.; });
+  const Labelled_mesh input = mesh;
+  const std::map<std::pair<int, int>, Soup> surfaces{{{1, 2}, surface_over(4, wave)}};
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                regions_of(mesh).interface_references(surfaces).fixed_boundary(true));
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_GE(status.after.minimum, .5);
+  const auto is_outside = mesh.complex().is_on_boundary;
+  const auto between = interfaces(mesh);
+  for (const auto& face : between.begin()->second)
+    for (int v : face) {
+      const Point& p = mesh.points[v];
+      if (is_outside[v]) {
+        EXPECT_TRUE(same_bits(p, input.points[v])) << v;
+      }
+      else {
+        EXPECT_NEAR(p.z(), wave(p.x(), p.y()), .1) << v;
+      }
+    }
 }
 
 TEST(References_of_interfaces, that_do_not_fit_are_refused)
