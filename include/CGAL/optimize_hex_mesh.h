@@ -198,6 +198,17 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *                    triples of indices}
  *     \cgalParamDefault{none: interfaces are kept where they are}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{periodic_vertices}
+ *     \cgalParamDescription{pairs of vertices that move together, such as those on opposite sides of a periodic cell: the
+ *                           second is where the translation takes the first, exactly unless both stay. A vertex may be
+ *                           in several pairs. If one of those that move together is constrained, all are. A pair that is
+ *                           not that far apart when it comes in, up to a millionth of the mean edge of the boundary, is
+ *                           refused.}
+ *     \cgalParamType{a range of `std::tuple` of the indices of two vertices (for a linear cell complex, in the order of
+ *                    `linear_cell_complex_to_hexahedra()`) and a translation with `x()`, `y()` and `z()`, which
+ *                    `CGAL::to_double()` converts}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{fixed_boundary}
  *     \cgalParamDescription{whether no vertex of the outer boundary may move; those within interfaces may}
  *     \cgalParamType{`bool`}

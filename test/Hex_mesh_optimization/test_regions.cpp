@@ -31,6 +31,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -751,6 +752,126 @@ TEST(References_of_interfaces, that_do_not_fit_are_refused)
   EXPECT_EQ(
     refusal({{{{1, 2}}, open}}),
     "triangle 5 of the reference surface has a vertex that is not one of its 625 points for the labels 1 and 2");
+}
+
+// --- Periodic pairs ------------------------------------------------------------------------------
+
+using Translation = Indexed_mesh::Kernel::Vector_3;
+using Pairs = std::vector<std::tuple<std::size_t, std::size_t, Translation>>;
+
+struct Periodic_block
+{
+  Labelled_mesh mesh;
+  Pairs pairs; // along x and y
+};
+
+// A wavy block with sides that are the same, and an interior and a boundary that are not
+Periodic_block periodic_block(std::size_t nx, unsigned seed, double edges)
+{
+  Periodic_block block;
+  Labelled_mesh& mesh = block.mesh;
+  const double x = double(nx), y = 4;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{nx, 4, 4}}, {{x, y, 4}});
+  std::map<Point, std::size_t> vertex;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    vertex[mesh.points[v]] = v;
+  for (const auto& [p, v] : vertex) {
+    if (p.x() == 0)
+      block.pairs.emplace_back(v, vertex.at(Point(x, p.y(), p.z())), Translation(x, 0, 0));
+    if (p.y() == y)
+      block.pairs.emplace_back(v, vertex.at(Point(p.x(), 0, p.z())), Translation(0, -y, 0));
+  }
+  mesh.bend([&](const Point& p) {
+    const double a = 2 * CGAL_PI * p.x() / x, b = 2 * CGAL_PI * p.y() / y;
+    return Point(p.x() + .3 * std::sin(b) * std::sin(p.z()), p.y() + .2 * std::sin(a), p.z() + .4 * std::sin(a + b));
+  });
+  scramble_within_regions(mesh, seed, edges);
+  for (const auto& [a, b, t] : block.pairs) // sines of a turn are not 0
+    mesh.points[b] = mesh.points[a] + t;
+  for (const auto& [a, b, t] : block.pairs)
+    mesh.points[b] = mesh.points[a] + t;
+  return block;
+}
+
+TEST(Periodic_pairs, move_together)
+{
+  for (const std::size_t nx : {4, 1}) // one hexahedron has both
+    for (unsigned seed = 0; seed < 2; ++seed)
+      for (const bool on_surface : {false, true})
+        for (const HMO::Method method : {HMO::Method::FULL, HMO::Method::RECTIFICATION}) {
+          SCOPED_TRACE(std::to_string(nx) + ' ' + std::to_string(seed) + ' ' + std::to_string(on_surface) + ' ' +
+                       std::to_string(int(method)));
+          const Periodic_block input = periodic_block(nx, seed, nx > 1 ? .8 : 0);
+          Labelled_mesh mesh = input.mesh;
+          const auto np = params::optimization_method(method).boundary_placement(
+            on_surface ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE);
+          const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np.periodic_vertices(input.pairs));
+          EXPECT_TRUE(status.valid_mesh());
+          int moved = 0;
+          for (const auto& [a, b, t] : input.pairs) {
+            EXPECT_EQ(mesh.points[b], mesh.points[a] + t) << a << ' ' << b;
+            moved += !same_bits(mesh.points[a], input.mesh.points[a]);
+          }
+          expect_never_worse(input.mesh, mesh);
+          if (method != HMO::Method::FULL || (nx == 1 && on_surface)) // which is as good as it can be
+            continue;
+          EXPECT_GT(moved, 4);
+          // the pairs are what does it
+          Labelled_mesh without = input.mesh;
+          const Status of_it = CGAL::optimize_hex_mesh(without.points, without.hexahedra, np);
+          int apart = 0;
+          for (const auto& [a, b, t] : input.pairs)
+            apart += CGAL::squared_distance(without.points[b], without.points[a] + t) > 1e-12;
+          EXPECT_GT(apart, 4);
+          EXPECT_GE(status.after.minimum, .8 * of_it.after.minimum);
+        }
+}
+
+// One that does not move holds the other.
+TEST(Periodic_pairs, are_held_by_one_that_is_fixed)
+{
+  const Periodic_block input = periodic_block(4, 1, .8);
+  Labelled_mesh mesh = input.mesh;
+  std::vector<char> is_frozen(mesh.points.size(), false);
+  for (std::size_t i = 0; i < input.pairs.size(); i += 3)
+    is_frozen[i % 2 ? std::get<0>(input.pairs[i]) : std::get<1>(input.pairs[i])] = true;
+  const Status status = CGAL::optimize_hex_mesh(
+    mesh.points, mesh.hexahedra,
+    params::periodic_vertices(input.pairs).vertex_is_constrained_map(Marked_vertices{&is_frozen}));
+  EXPECT_TRUE(status.valid_mesh());
+  for (std::size_t i = 0; i < input.pairs.size(); ++i) {
+    const auto& [a, b, t] = input.pairs[i];
+    EXPECT_EQ(mesh.points[b], mesh.points[a] + t);
+    if (is_frozen[a] || is_frozen[b]) {
+      EXPECT_TRUE(same_bits(mesh.points[a], input.mesh.points[a]));
+      EXPECT_TRUE(same_bits(mesh.points[b], input.mesh.points[b]));
+    }
+  }
+}
+
+TEST(Periodic_pairs, that_are_none_are_refused)
+{
+  Periodic_block block = periodic_block(4, 1, .8);
+  const auto refusal = [&](std::size_t i, const Pairs::value_type& pair) {
+    Pairs pairs = block.pairs;
+    pairs[i] = pair;
+    try {
+      CGAL::optimize_hex_mesh(block.mesh.points, block.mesh.hexahedra, params::periodic_vertices(pairs));
+    }
+    catch (const HMO::Input_error& error) {
+      EXPECT_EQ(error.element(), HMO::Input_error::Element::PARAMETER);
+      EXPECT_EQ(error.element_index(), i);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto [a, b, t] = block.pairs[5];
+  EXPECT_EQ(refusal(5, {a, 100000, t}), "periodic pair 5 refers to a vertex that does not exist");
+  EXPECT_EQ(refusal(5, {a, b, t / 0.}), "the translation of periodic pair 5 is not finite");
+  EXPECT_EQ(refusal(5, {a, b, 1.25 * t}).substr(0, 80),
+            ("vertex " + std::to_string(b) + " is not where the translation takes vertex " + std::to_string(a) +
+             ", but 1 away")
+              .substr(0, 80));
 }
 
 } // namespace

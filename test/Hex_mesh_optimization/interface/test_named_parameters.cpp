@@ -16,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -121,6 +122,20 @@ TEST(Named_parameters, that_divide_the_mesh_reach_the_engine)
   const Regions r = regions(params::hexahedron_label_map(Parity()).internal_faces(faces), keys);
   EXPECT_EQ(r.labels, (std::vector<int>{-1, 0, -1}));
   EXPECT_EQ(r.faces, (std::vector<std::array<int, 4>>{{1, 2, 3, 4}, {8, 7, 6, 5}}));
+}
+
+TEST(Named_parameters, that_are_pairs_of_vertices_reach_the_engine)
+{
+  using Vector = CGAL::Simple_cartesian<float>::Vector_3;
+  const std::vector<std::tuple<short, std::size_t, Vector>> pairs = {{short(2), 0, Vector(1, .5f, 0)},
+                                                                     {short(-1), 1, Vector(0, 0, 2)}};
+  const Regions r = regions(params::periodic_vertices(pairs), keys);
+  ASSERT_EQ(r.ties.size(), 2u);
+  EXPECT_EQ(r.ties[0].vertex, 2);
+  EXPECT_EQ(r.ties[0].partner, 0);
+  EXPECT_EQ(r.ties[0].translation, Vector_3(1, .5, 0));
+  EXPECT_EQ(r.ties[1].vertex, -1) << "to be refused";
+  EXPECT_EQ(r.ties[1].partner, 1);
 }
 
 TEST(Named_parameters, that_are_no_faces_are_refused)

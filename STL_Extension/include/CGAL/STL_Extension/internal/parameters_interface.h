@@ -34,6 +34,7 @@ CGAL_add_named_parameter(hex_optimization_method_t, hex_optimization_method, opt
 CGAL_add_named_parameter(hexahedron_label_map_t, hexahedron_label_map, hexahedron_label_map)
 CGAL_add_named_parameter(hex_internal_faces_t, hex_internal_faces, internal_faces)
 CGAL_add_named_parameter(hex_interface_references_t, hex_interface_references, interface_references)
+CGAL_add_named_parameter(hex_periodic_vertices_t, hex_periodic_vertices, periodic_vertices)
 CGAL_add_named_parameter(hex_fixed_boundary_t, hex_fixed_boundary, fixed_boundary)
 CGAL_add_named_parameter(hex_boundary_placement_t, hex_boundary_placement, boundary_placement)
 CGAL_add_named_parameter(hex_target_quality_t, hex_target_quality, target_quality)

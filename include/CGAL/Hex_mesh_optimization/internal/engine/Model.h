@@ -56,7 +56,7 @@ public:
         const Optimization_parameters& parameters)
     : mesh(checked)
     , reference_is_given(is_one_given(reference, parameters.interface_references))
-    , unit(mean_boundary_edge(mesh))
+    , unit(checked_unit(mesh))
     , center(boundary_center(mesh, unit))
     , points(in_units(mesh.points))
     , faces(boundary_surface_faces(mesh.complex, reference_is_given, labels_of(parameters.interface_references)))
@@ -83,6 +83,7 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v)
       if (!is_fixed[v] && positions[v] != points[v])
         result[v] = positions[v] * unit + center;
+    mesh.translations.restore(mesh.points, result);
     return result;
   }
 
@@ -138,6 +139,14 @@ private:
     for (const Interface_reference& i : interfaces)
       result.push_back(i.labels);
     return result;
+  }
+
+  // In which the translations of vertices are checked as well.
+  static double checked_unit(const Checked_mesh& mesh)
+  {
+    const double unit = mean_boundary_edge(mesh);
+    mesh.translations.check(mesh.points, unit, [&](int v) { return mesh.order.given_vertex(v); });
+    return unit;
   }
 
   static double mean_boundary_edge(const Checked_mesh& mesh)
@@ -220,9 +229,13 @@ private:
     Boundary_attachment result = reference_is_given ? attached_to_given(outside_is_given)
                                                     : attach_to_own_boundary(mesh.complex, *surface);
     result.set_sheets(faces);
-    const std::vector<char> frozen = mesh.order.ordered(is_frozen), outside = vertices_outside();
-    for (std::size_t v = 0; v < frozen.size(); ++v)
-      if (frozen[v] || (fixed_boundary && outside[v]))
+    std::vector<char> stays = mesh.order.ordered(is_frozen);
+    const std::vector<char> outside = vertices_outside();
+    for (std::size_t v = 0; v < stays.size(); ++v)
+      stays[v] = stays[v] || (fixed_boundary && outside[v]);
+    mesh.complex.ties.unite(stays);
+    for (std::size_t v = 0; v < stays.size(); ++v)
+      if (stays[v])
         result.kind[v] = Vertex_kind::FIXED;
     return result;
   }

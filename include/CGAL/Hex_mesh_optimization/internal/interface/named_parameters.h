@@ -24,6 +24,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -124,6 +125,15 @@ Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
                           "internal face " + std::to_string(result.faces.size()) + " has " + std::to_string(count) +
                             " vertices");
       result.faces.push_back(engine_indices<4>(face));
+    }
+  if constexpr (is_given<NamedParameters, internal_np::hex_periodic_vertices_t>)
+    for (const auto& [vertex, partner, translation] :
+         parameters::get_parameter(np, internal_np::hex_periodic_vertices)) {
+      const auto [a, b] = engine_indices<2>(std::array<unsigned long long, 2>{
+        {static_cast<unsigned long long>(vertex), static_cast<unsigned long long>(partner)}});
+      result.ties.push_back({a, b,
+                             Vector_3(CGAL::to_double(translation.x()), CGAL::to_double(translation.y()),
+                                      CGAL::to_double(translation.z()))});
     }
   return result;
 }

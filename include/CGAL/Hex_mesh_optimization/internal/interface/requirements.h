@@ -286,13 +286,23 @@ struct Is_interface_reference<
   : std::disjunction<Is_face_graph<typename T::second_type>, Is_soup<typename T::second_type>>
 {};
 
-template <class NamedParameters>
-constexpr bool are_interface_references_if_given()
+// Two vertices and a translation.
+template <class T, class = void>
+struct Is_periodic_pair : std::false_type
+{};
+template <class T>
+struct Is_periodic_pair<T, std::void_t<typename std::tuple_element<2, T>::type>>
+  : std::bool_constant<std::tuple_size<T>::value == 3 && is_index_v<std::tuple_element_t<0, T>> &&
+                       is_index_v<std::tuple_element_t<1, T>> && Is_readable_point<std::tuple_element_t<2, T>>::value>
+{};
+
+// Of the values of a range, if it is given.
+template <class NamedParameters, class Tag, template <class...> class Is_value>
+constexpr bool is_range_if_given()
 {
-  if constexpr (is_given<NamedParameters, internal_np::hex_interface_references_t>) {
-    using References = Given<NamedParameters, internal_np::hex_interface_references_t>;
-    if constexpr (Is_range<const References>::value)
-      return Is_interface_reference<Value_of<const References>>::value;
+  if constexpr (is_given<NamedParameters, Tag>) {
+    if constexpr (Is_range<const Given<NamedParameters, Tag>>::value)
+      return Is_value<Value_of<const Given<NamedParameters, Tag>>>::value;
     return false;
   }
   return true;
@@ -321,14 +331,20 @@ constexpr bool accepts_parameters_of_mesh()
                 "whose value converts to double");
   constexpr bool has_faces = are_internal_faces_if_given<NamedParameters>();
   static_assert(has_faces, "internal_faces() needs a range of ranges of four integers, the indices of vertices");
-  constexpr bool has_references = are_interface_references_if_given<NamedParameters>();
+  constexpr bool has_references =
+    is_range_if_given<NamedParameters, internal_np::hex_interface_references_t, Is_interface_reference>();
   static_assert(
     has_references,
     "interface_references() needs a range of pairs, such as a std::map, of two labels (std::pair<int, int> or "
     "std::array<int, 2>) and a surface: a model of FaceListGraph and HalfedgeListGraph, or a std::pair of two "
     "ranges, points and triples of indices");
+  constexpr bool has_pairs =
+    is_range_if_given<NamedParameters, internal_np::hex_periodic_vertices_t, Is_periodic_pair>();
+  static_assert(has_pairs,
+                "periodic_vertices() needs a range of std::tuple of two indices of vertices and a translation "
+                "whose x(), y() and z() CGAL::to_double() converts");
   constexpr bool has_rest = accepts_labels<NamedParameters, Hexahedron>() && accepts_visitor<NamedParameters>();
-  return is_of_mesh && has_constraints && has_lengths && has_faces && has_references && has_rest;
+  return is_of_mesh && has_constraints && has_lengths && has_faces && has_references && has_pairs && has_rest;
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -410,7 +426,7 @@ constexpr bool accepts_parameters_of_new_mesh()
   constexpr bool has_no_keys =
     !is_one_given<NamedParameters, internal_np::vertex_is_constrained_t, internal_np::hexahedron_label_map_t,
                   internal_np::hex_internal_faces_t, internal_np::hex_interface_references_t,
-                  internal_np::hex_target_edge_length_map_t>;
+                  internal_np::hex_periodic_vertices_t, internal_np::hex_target_edge_length_map_t>;
   static_assert(
     has_no_keys,
     "vertex_is_constrained_map(), hexahedron_label_map(), internal_faces(), "
