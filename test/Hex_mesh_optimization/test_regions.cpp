@@ -798,7 +798,7 @@ TEST(Periodic_pairs, move_together)
   for (const std::size_t nx : {4, 1}) // one hexahedron has both
     for (unsigned seed = 0; seed < 2; ++seed)
       for (const bool on_surface : {false, true})
-        for (const HMO::Method method : {HMO::Method::FULL, HMO::Method::RECTIFICATION}) {
+        for (const HMO::Method method : {HMO::Method::FULL, HMO::Method::RECTIFICATION, HMO::Method::MAXIMIZATION}) {
           SCOPED_TRACE(std::to_string(nx) + ' ' + std::to_string(seed) + ' ' + std::to_string(on_surface) + ' ' +
                        std::to_string(int(method)));
           const Periodic_block input = periodic_block(nx, seed, nx > 1 ? .8 : 0);
