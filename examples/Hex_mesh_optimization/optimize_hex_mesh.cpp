@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -27,6 +28,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,7 @@ const char* const exit_codes =
 struct Options : Common_options
 {
   std::string input, reference, frozen, label_array, beside;
+  std::vector<std::tuple<std::int64_t, std::int64_t, std::string>> interfaces; // labels, the file of a surface
   bool merge = false;
   bool fixed_boundary = defaults.fixed_boundary;
   std::string method = "full";
@@ -68,6 +71,11 @@ void add_options(CLI::App& app, Options& o)
     .add_option("--label-array", o.label_array,
                 "the cell array of a .vtk or .vtu file with the labels of the hexahedra (default: by its name)")
     ->type_name("NAME");
+  app
+    .add_option(
+      "--interface", o.interfaces,
+      "the surface that the interface between two labels is brought to (default: as it is); once for each pair")
+    ->type_name("LABEL LABEL SURFACE");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
     ->type_name("FILE");
@@ -162,17 +170,28 @@ std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_
   return result;
 }
 
-// reference: used if the options name one
-HMO::Status optimize(Mesh& mesh, const Labels& labels, const Surface& reference, const Options& o, Watcher& watcher)
+using Interfaces = std::vector<std::pair<std::array<int, 2>, Surface>>; // between the numbers of labels
+
+// What comes in.
+struct Input
+{
+  Mesh mesh, beside;
+  Surface reference;
+  Labels labels;
+  Interfaces interfaces;
+};
+
+HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& watcher)
 {
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
     for (std::size_t v : read_vertices(o.frozen, mesh.points.size()))
       frozen.insert(mesh.merged_into.empty() ? v : mesh.merged_into[v]);
   const auto np = common_parameters(o, watcher)
-                    .hexahedron_label_map(
-                      boost::make_function_property_map<std::size_t>([&](std::size_t h) { return labels.number(h); }))
+                    .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
+                      [&](std::size_t h) { return input.labels.number(h); }))
                     .internal_faces(labelled_faces(mesh.attachments))
+                    .interface_references(input.interfaces)
                     .fixed_boundary(o.fixed_boundary)
                     .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
                     .optimization_method(o.method == "full"            ? HMO::Method::FULL
@@ -182,17 +201,32 @@ HMO::Status optimize(Mesh& mesh, const Labels& labels, const Surface& reference,
                                                                    : HMO::Target_edge_lengths::ESTIMATED)
                     .number_of_iterations(o.iterations)
                     .number_of_restarts(o.restarts);
-  return in_threads(o.threads, [&] {
-    using Tag = CGAL::Parallel_if_available_tag;
-    return o.reference.empty() ? CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, np)
-                               : CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, reference, np);
-  });
+  try {
+    return in_threads(o.threads, [&] {
+      using Tag = CGAL::Parallel_if_available_tag;
+      return o.reference.empty() ? CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, np)
+                                 : CGAL::optimize_hex_mesh<Tag>(mesh.points, mesh.hexahedra, input.reference, np);
+    });
+  }
+  catch (const HMO::Input_error& error) {
+    if (error.element() != HMO::Input_error::Element::PARAMETER || error.element_index() >= o.interfaces.size())
+      throw;
+    // the engine knows the numbers of the labels
+    const auto& [a, b, file] = o.interfaces[error.element_index()];
+    throw HMO::Input_error(error.element(), error.element_index(),
+                           "--interface " + std::to_string(a) + ' ' + std::to_string(b) +
+                             ": there are no faces between these labels, or another surface was given for them");
+  }
 }
 
 Json json(const Options& o)
 {
+  Json interfaces = Json::array();
+  for (const auto& [a, b, file] : o.interfaces)
+    interfaces.push_back({{"labels", {a, b}}, {"surface", file}});
   return with_common_options({{"input", o.input},
                               {"reference", o.reference.empty() ? Json() : Json(o.reference)},
+                              {"interfaces", interfaces},
                               {"merge", o.merge},
                               {"label_array", o.label_array.empty() ? Json() : Json(o.label_array)},
                               {"fixed_boundary", o.fixed_boundary},
@@ -204,12 +238,18 @@ Json json(const Options& o)
                              o);
 }
 
-// What comes in.
-struct Input
+Interfaces read_interfaces(const Options& o, const Labels& labels)
 {
-  Mesh mesh, beside;
-  Surface reference;
-};
+  Interfaces result;
+  for (const auto& [a, b, file] : o.interfaces) {
+    for (std::int64_t label : {a, b})
+      if (!std::binary_search(labels.values.begin(), labels.values.end(), label))
+        throw CGAL::IO::Hex_mesh_file_error(o.input, 0, "no hexahedron has the label " + std::to_string(label));
+    result.push_back({{labels.number_of(a), labels.number_of(b)}, Surface()});
+    read(file, result.back().second);
+  }
+  return result;
+}
 
 Input read_all(const Options& o)
 {
@@ -219,6 +259,8 @@ Input read_all(const Options& o)
     read(o.beside, input.beside.points, input.beside.hexahedra);
   if (!o.reference.empty())
     read(o.reference, input.reference);
+  input.labels = Labels(input.mesh.attachments.hexahedron_labels);
+  input.interfaces = read_interfaces(o, input.labels);
   return input;
 }
 
@@ -263,20 +305,20 @@ Exit_code run(const Options& options)
     for (const std::string& line : lost)
       std::cerr << "warning: not in the output: " << line << '\n';
 
-  const Labels labels(mesh.attachments.hexahedron_labels);
+  const Labels& labels = input.labels;
   HMO::Status status;
   std::vector<HMO::Iteration> iterations;
   {
     Watcher watcher(options.quiet);
     if (options.merge) {
       Mesh one = merged(mesh);
-      status = optimize(one, labels, input.reference, options, watcher);
+      status = optimize(one, input, options, watcher);
       mesh.merged_into = std::move(one.merged_into);
       for (std::size_t v = 0; v < mesh.points.size(); ++v)
         mesh.points[v] = one.points[mesh.merged_into[v]];
     }
     else
-      status = optimize(mesh, labels, input.reference, options, watcher);
+      status = optimize(mesh, input, options, watcher);
     iterations = watcher.iterations();
   }
   for (std::size_t h : status.turned_hexahedra)

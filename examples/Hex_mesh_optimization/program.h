@@ -214,9 +214,14 @@ struct Labels
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
     for (std::int64_t l : labels)
-      numbers.push_back(static_cast<int>(std::lower_bound(values.begin(), values.end(), l) - values.begin()));
+      numbers.push_back(number_of(l));
   }
 
+  // Of a label that occurs.
+  int number_of(std::int64_t label) const
+  {
+    return static_cast<int>(std::lower_bound(values.begin(), values.end(), label) - values.begin());
+  }
   int number(std::size_t hexahedron) const { return numbers.empty() ? 0 : numbers[hexahedron]; }
   std::int64_t value(int number) const { return values.empty() ? 0 : values[number]; }
 };

@@ -187,6 +187,28 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *                    linear cell complex, in the order of `linear_cell_complex_to_hexahedra()`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{interface_references}
+ *     \cgalParamDescription{surfaces that interfaces between two labels are brought to, in the place of the interfaces as
+ *                           they came in. Where such a surface ends within the mesh it is taken to go on in its plane;
+ *                           it may reach out of the mesh, and be oriented either way. It has no feature curves: vertices
+ *                           slide on all of it. See \ref HexMeshOptimizationRegions.}
+ *     \cgalParamType{a range of pairs, such as a `std::map`, of two labels (`std::pair<int, int>` or
+ *                    `std::array<int, 2>`, in any order) and a surface: a model of `FaceListGraph` and
+ *                    `HalfedgeListGraph` with an internal property map of points, or a `std::pair` of points and
+ *                    triples of indices}
+ *     \cgalParamDefault{none: interfaces are kept where they are}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{periodic_vertices}
+ *     \cgalParamDescription{pairs of vertices that move together, such as those on opposite sides of a periodic cell: the
+ *                           second is where the translation takes the first, exactly unless both stay. A vertex may be
+ *                           in several pairs. If one of those that move together is constrained, all are. A pair that is
+ *                           not that far apart when it comes in, up to a millionth of the mean edge of the boundary, is
+ *                           refused.}
+ *     \cgalParamType{a range of `std::tuple` of the indices of two vertices (for a linear cell complex, in the order of
+ *                    `linear_cell_complex_to_hexahedra()`) and a translation with `x()`, `y()` and `z()`, which
+ *                    `CGAL::to_double()` converts}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{fixed_boundary}
  *     \cgalParamDescription{whether no vertex of the outer boundary may move; those within interfaces may}
  *     \cgalParamType{`bool`}

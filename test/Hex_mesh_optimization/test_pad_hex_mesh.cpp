@@ -3,6 +3,7 @@
 
 // Layers behind the boundary and beside interfaces.
 
+#include "labelled_meshes.h"
 #include "mesh_checks.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace {
@@ -67,6 +69,76 @@ TEST(pad_hex_mesh, makes_layers_on_both_sides_of_an_interface)
     return m;
   }();
   EXPECT_EQ(mesh.hexahedra.size(), without.hexahedra.size() + 2);
+}
+
+// The faces of the boundary, each by its vertices
+std::multiset<std::set<int>> boundary(const Indexed_mesh& mesh)
+{
+  std::multiset<std::set<int>> result;
+  const auto faces = mesh.complex().boundary_faces;
+  for (const auto& f : faces)
+    result.insert(std::set<int>(f.vertices.begin(), f.vertices.end()));
+  return result;
+}
+
+void expect_padded(const Labelled_mesh& input, bool is_valid)
+{
+  Labelled_mesh mesh = input;
+  const std::vector<std::size_t> source = CGAL::pad_hex_mesh(mesh.points, mesh.hexahedra);
+  EXPECT_EQ(source.size(), boundary(input).size());
+  EXPECT_EQ(mesh.hexahedra.size(), input.hexahedra.size() + source.size());
+  EXPECT_EQ(invalid_hexahedra(mesh).empty(), is_valid);
+  EXPECT_EQ(boundary(mesh), boundary(input)) << "what was in contact still is, and nothing else";
+  for (std::size_t v = 0; v < input.points.size(); ++v)
+    EXPECT_EQ(mesh.points[v], input.points[v]);
+}
+
+// Parts that have an edge in common, or a vertex, have layers of their own there.
+TEST(pad_hex_mesh, goes_around_contacts_at_an_edge)
+{
+  Labelled_mesh mesh;
+  make_voxels(mesh, 2, 2, 1, 2, [](int i, int j, int) { return i == j; });
+  ASSERT_EQ(boundary(mesh).size(), 48u);
+  expect_padded(mesh, true);
+}
+
+TEST(pad_hex_mesh, goes_around_contacts_at_a_vertex)
+{
+  Labelled_mesh mesh;
+  make_voxels(mesh, 2, 2, 2, 2, [](int i, int j, int k) { return i == j && j == k; });
+  ASSERT_EQ(boundary(mesh).size(), 48u);
+  expect_padded(mesh, true);
+}
+
+// Two of the eight voxels around a vertex are missing, one opposite the other: nothing is behind the faces of both.
+TEST(pad_hex_mesh, is_not_valid_where_the_boundary_touches_itself_across_hexahedra_that_hang_together)
+{
+  Labelled_mesh mesh;
+  make_voxels(mesh, 2, 2, 2, 2, [](int i, int j, int k) { return i != j || j != k; });
+  expect_padded(mesh, false);
+}
+
+// Regions that touch each other in an edge have layers beside it too.
+TEST(pad_hex_mesh, makes_layers_of_regions_around_an_edge)
+{
+  Labelled_mesh mesh;
+  make_voxels(mesh, 2, 2, 1, 2, [](int, int, int) { return true; });
+  mesh.label([](const Indexed_mesh::Point& p) { return (p.x() < 1) == (p.y() < 1) ? 1 : 2; });
+  const std::size_t of_boundary = boundary(mesh).size(), between = 4 * 4;
+  const std::size_t before = mesh.hexahedra.size();
+  const std::vector<std::size_t> source = CGAL::pad_hex_mesh(mesh.points, mesh.hexahedra,
+                                                             CGAL::parameters::hexahedron_label_map(
+                                                               CGAL::make_property_map(mesh.labels)));
+  EXPECT_EQ(source.size(), of_boundary + 2 * between);
+  EXPECT_EQ(mesh.hexahedra.size(), before + source.size());
+  EXPECT_TRUE(invalid_hexahedra(mesh).empty());
+  for (std::size_t s : source)
+    mesh.labels.push_back(mesh.labels[s]);
+  std::size_t faces_between = 0;
+  const auto faces = mesh.regions().boundary_faces;
+  for (const auto& f : faces)
+    faces_between += f.beyond >= 0;
+  EXPECT_EQ(faces_between, between);
 }
 
 TEST(pad_hex_mesh, of_a_linear_cell_complex)

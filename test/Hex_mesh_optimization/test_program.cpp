@@ -5,6 +5,7 @@
 // it prints, and its exit codes.
 
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
+#include <CGAL/Hex_mesh_optimization/IO/vtu.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
@@ -22,6 +23,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -449,6 +451,120 @@ TEST_F(Program, keeps_data_and_names_what_a_format_cannot_hold)
   run("chosen.vtk chosen.mesh --label-array mine --json out.json");
   EXPECT_EQ(json("out.json")["labels"]["array"], "mine");
   EXPECT_EQ(read("chosen.mesh").attachments.hexahedron_labels, std::vector<std::int64_t>(64, 4));
+}
+
+// In sixteen columns of four cells: the lower half is of one material, the upper one of another. No vertex between them is
+// out of place.
+Mesh two_materials()
+{
+  Mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{4, 4, 4}});
+  const std::vector<Point> intact = mesh.points;
+  HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
+  for (std::size_t v = 0; v < intact.size(); ++v)
+    if (intact[v].z() == .5)
+      mesh.points[v] = intact[v];
+  for (const auto& h : mesh.hexahedra) {
+    double z = 0;
+    for (std::size_t v : h)
+      z += intact[v].z() / 8;
+    mesh.attachments.hexahedron_labels.push_back(z < .5 ? 30 : 20);
+  }
+  return mesh;
+}
+
+std::vector<std::size_t> vertices_between(const Mesh& mesh)
+{
+  std::vector<std::array<bool, 2>> is_in(mesh.points.size());
+  for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h)
+    for (std::size_t v : mesh.hexahedra[h])
+      is_in[v][mesh.attachments.hexahedron_labels[h] == 20] = true;
+  std::vector<std::size_t> result;
+  for (std::size_t v = 0; v < is_in.size(); ++v)
+    if (is_in[v][0] && is_in[v][1])
+      result.push_back(v);
+  return result;
+}
+
+// A file as other programs write it, with a cell array of materials beside another one of numbers
+std::string vtu(const Mesh& mesh)
+{
+  std::ostringstream out;
+  out.precision(17);
+  const std::size_t n = mesh.hexahedra.size();
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+      << "<UnstructuredGrid><Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\"" << n << "\">\n"
+      << "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  for (const Point& p : mesh.points)
+    out << p << '\n';
+  out << "</DataArray></Points>\n<Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  for (const auto& h : mesh.hexahedra)
+    for (std::size_t v : h)
+      out << v << ' ';
+  out << "\n</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  for (std::size_t h = 1; h <= n; ++h)
+    out << 8 * h << ' ';
+  out << "\n</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n";
+  for (std::size_t h = 0; h < n; ++h)
+    out << "12 ";
+  out << "\n</DataArray></Cells>\n<CellData>\n<DataArray type=\"Float32\" Name=\"heat\" format=\"ascii\">\n";
+  for (std::size_t h = 0; h < n; ++h)
+    out << h << ".5 ";
+  out << "\n</DataArray>\n<DataArray type=\"Int32\" Name=\"material\" format=\"ascii\">\n";
+  for (std::int64_t label : mesh.attachments.hexahedron_labels)
+    out << label << ' ';
+  out << "\n</DataArray></CellData>\n</Piece></UnstructuredGrid>\n</VTKFile>\n";
+  return out.str();
+}
+
+TEST_F(Program, keeps_the_interface_that_cell_data_of_a_vtu_file_make)
+{
+  const Mesh input = two_materials();
+  write("in.vtu", vtu(input));
+  EXPECT_EQ(run("in.vtu out.vtu --json out.json"), 0);
+  EXPECT_EQ(text("stderr"), "");
+  const auto status = json("out.json")["status"];
+  EXPECT_EQ(json("out.json")["labels"]["array"], "material");
+  ASSERT_EQ(status["interfaces"].size(), 1u);
+  EXPECT_EQ(status["interfaces"][0]["labels"], nlohmann::json::array({20, 30}));
+  EXPECT_EQ(status["interfaces"][0]["number_of_faces"], 16);
+  EXPECT_LE(status["interfaces"][0]["maximum_deviation"], .1 * .25);
+  ASSERT_EQ(status["regions"].size(), 2u);
+  for (const auto& region : status["regions"])
+    EXPECT_NEAR(region["volume_after"].get<double>(), .5, .005);
+  EXPECT_TRUE(contains(text("stdout"), "between labels 20 and 30"));
+
+  // all of it comes back: to a format with labels, and from there
+  Mesh output;
+  CGAL::IO::read_vtu_hex_mesh((folder / "out.vtu").string(), output.points, output.hexahedra, output.attachments);
+  EXPECT_EQ(output.hexahedra, input.hexahedra);
+  EXPECT_EQ(output.attachments.hexahedron_labels, input.attachments.hexahedron_labels);
+  EXPECT_TRUE(contains(text("out.vtu"), "\"heat\""));
+  const std::vector<std::size_t> between = vertices_between(input);
+  EXPECT_EQ(between.size(), 25u);
+  for (std::size_t v : between)
+    EXPECT_NEAR(output.points[v].z(), .5, .1 * .25) << v;
+}
+
+TEST_F(Program, brings_an_interface_to_a_surface)
+{
+  const Mesh input = two_materials();
+  write("in.mesh", input);
+  write("tilted.off", "OFF\n4 2 0\n-1 -1 .45\n2 -1 .45\n2 2 .6\n-1 2 .6\n3 0 1 2\n3 0 2 3\n");
+  EXPECT_EQ(run("in.mesh out.mesh --interface 30 20 tilted.off --json out.json"), 0);
+  for (std::size_t v : vertices_between(input)) {
+    const Point p = read("out.mesh").points[v];
+    EXPECT_NEAR(p.z(), .5 + .05 * p.y(), .1 * .25) << v;
+  }
+  EXPECT_LE(json("out.json")["status"]["interfaces"][0]["maximum_deviation"], .1 * .25);
+  EXPECT_EQ(json("out.json")["options"]["interfaces"][0]["labels"], nlohmann::json::array({30, 20}));
+
+  EXPECT_EQ(run("in.mesh other.mesh --interface 30 21 tilted.off"), 3);
+  EXPECT_TRUE(contains(text("stderr"), "no hexahedron has the label 21"));
+  EXPECT_EQ(run("in.mesh other.mesh --interface 30 30 tilted.off"), 2);
+  EXPECT_TRUE(contains(text("stderr"), "--interface 30 30: there are no faces between these labels"));
+  EXPECT_EQ(run("in.mesh other.mesh --interface 30 20"), 2);
+  EXPECT_FALSE(exists("other.mesh"));
 }
 
 TEST_F(Program, may_replace_its_input)

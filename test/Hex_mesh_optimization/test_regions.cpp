@@ -31,6 +31,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -171,39 +173,60 @@ TEST(Regions, are_what_keeps_an_interface)
   EXPECT_LT(3 * farthest(with), farthest(without));
 }
 
-// They need not be tangled to be improved: vertices slide within an interface.
+// They need not be tangled to be improved: vertices slide within an interface, also where those of the outer boundary are
+// fixed, but not where they are fixed themselves.
 TEST_P(Regions_of, have_vertices_that_slide_in_interfaces)
 {
-  Labelled_mesh mesh = GetParam().make();
+  Labelled_mesh input = GetParam().make();
   std::mt19937 random(7);
-  const auto complex = mesh.regions();
-  const Positions before = positions(mesh);
+  const auto complex = input.regions();
+  const Positions before = positions(input);
   const Surface_faces faces = boundary_surface_faces(complex);
   const auto surface = boundary_as_reference(complex, faces, before, Feature_parameters());
   Boundary_attachment attachment = attach_to_own_boundary(complex, *surface);
   // within smooth interfaces, towards a neighbor
   std::set<int> moved;
+  std::vector<char> is_between(input.points.size(), false);
   for (const Surface_faces::Vertex& v : faces.vertices)
-    if (faces.is_interface(v.face) && attachment.kind[v.vertex] == Vertex_kind::SURFACE && random() % 2 == 0) {
+    if (faces.is_interface(v.face)) {
+      is_between[v.vertex] = true;
+      if (attachment.kind[v.vertex] != Vertex_kind::SURFACE || random() % 2 != 0)
+        continue;
       const auto& q = faces.quads[v.face];
       const int next = q[(std::find(q.begin(), q.end(), v.vertex) - q.begin() + 1) % 4];
       if (moved.count(next))
         continue;
       moved.insert(v.vertex);
-      mesh.points[v.vertex] = CGAL::ORIGIN +
-                              (.7 * (mesh.points[v.vertex] - CGAL::ORIGIN) + .3 * (mesh.points[next] - CGAL::ORIGIN));
+      input.points[v.vertex] = CGAL::ORIGIN + (.7 * (input.points[v.vertex] - CGAL::ORIGIN) +
+                                               .3 * (input.points[next] - CGAL::ORIGIN));
     }
   ASSERT_GT(moved.size(), 0u);
-  const Labelled_mesh input = mesh;
-  const Status status = optimize(mesh);
-  EXPECT_TRUE(status.valid_mesh());
-  EXPECT_GE(status.after.minimum, status.before.minimum);
-  EXPECT_GT(status.after.average, status.before.average);
-  expect_kept(input, mesh, status);
-  int slid = 0;
-  for (int v : moved)
-    slid += !same_bits(mesh.points[v], input.points[v]);
-  EXPECT_GT(slid, 0);
+  const auto is_outside = input.complex().is_on_boundary;
+  enum { NOTHING, OUTSIDE, BOTH };
+  for (int fixed : {NOTHING, OUTSIDE, BOTH}) {
+    SCOPED_TRACE(fixed);
+    Labelled_mesh mesh = input;
+    std::vector<char> is_frozen(mesh.points.size(), false);
+    if (fixed == BOTH)
+      is_frozen = is_between;
+    const Status status = CGAL::optimize_hex_mesh(
+      mesh.points, mesh.hexahedra,
+      regions_of(mesh).fixed_boundary(fixed != NOTHING).vertex_is_constrained_map(Marked_vertices{&is_frozen}));
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_GE(status.after.minimum, status.before.minimum);
+    if (fixed != BOTH) {
+      EXPECT_GT(status.after.average, status.before.average);
+    }
+    expect_kept(input, mesh, status);
+    int slid = 0;
+    for (int v : moved)
+      slid += !same_bits(mesh.points[v], input.points[v]);
+    EXPECT_EQ(slid > 0, fixed != BOTH);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if ((fixed != NOTHING && is_outside[v]) || is_frozen[v]) {
+        EXPECT_TRUE(same_bits(mesh.points[v], input.points[v])) << v;
+      }
+  }
 }
 
 TEST_P(Regions_of, come_out_with_the_same_bits_in_one_thread_and_two)
@@ -480,6 +503,17 @@ TEST(Labels_of_a_linear_cell_complex, are_those_of_ranges)
 
 // --- With a reference ------------------------------------------------------------------------
 
+Surface_mesh boundary_of(const Indexed_mesh& mesh)
+{
+  Surface_mesh surface;
+  for_boundary(
+    mesh, [&](const Point& p) { return surface.add_vertex(p); },
+    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
+      surface.add_face(a, b, c);
+    });
+  return surface;
+}
+
 // Two disks, one on the other, within a cylinder of this radius
 Labelled_mesh pile(double radius)
 {
@@ -489,18 +523,13 @@ Labelled_mesh pile(double radius)
   return mesh;
 }
 
-// The rim goes along with the outside, what is within stays in its plane.
+// The rim goes along with the outside, however far that is, what is within stays in its plane.
 TEST(Reference_of_the_outside, takes_the_rims_of_interfaces_along)
 {
   Indexed_mesh finer;
   HMO::make_cylinder(finer.points, finer.hexahedra, 12, 12);
-  Surface_mesh surface;
-  for_boundary(
-    finer, [&](const Point& p) { return surface.add_vertex(p); },
-    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
-      surface.add_face(a, b, c);
-    });
-  for (double radius : {1., .99})
+  const Surface_mesh surface = boundary_of(finer);
+  for (double radius : {1., .99, .94, 1.06})
     for (unsigned seed = 0; seed < 3; ++seed) {
       SCOPED_TRACE(std::to_string(radius) + ", seed " + std::to_string(seed));
       Labelled_mesh mesh = pile(radius);
@@ -523,9 +552,326 @@ TEST(Reference_of_the_outside, takes_the_rims_of_interfaces_along)
       EXPECT_EQ(rim, 16);
       EXPECT_GT(within, 20);
       ASSERT_EQ(status.interfaces.size(), 1u);
+      EXPECT_LE(status.interfaces[0].deviation.maximum, .1 * edge);
       for (const auto& region : status.regions)
         EXPECT_NEAR(region.after, volume_of_label(mesh, region.label), 1e-9);
     }
+}
+
+// Interfaces between waves, which go on as they end. All of the outside is elsewhere.
+TEST(Reference_of_the_outside, takes_the_rims_of_curved_interfaces_along)
+{
+  const auto wave = [](const Point& p) { return .4 * std::sin(.9 * p.x()) * std::cos(.5 * p.y()); };
+  for (double factor : {.95, 1.05}) {
+    SCOPED_TRACE(factor);
+    Labelled_mesh mesh = layered_plate(), scaled;
+    HMO::make_block(scaled.points, scaled.hexahedra, {{28, 24, 2}}, {{7, 6, 6}});
+    scaled.bend([&](const Point& p) {
+      const Point q(3.5 + factor * (p.x() - 3.5), 3 + factor * (p.y() - 3), 3 + factor * (p.z() - 3));
+      return Point(q.x(), q.y(), q.z() + wave(q));
+    });
+    scramble_within_regions(mesh, 1, .4);
+    const double limit = .1 * mesh.mean_edge_length();
+    const Surface_mesh surface = boundary_of(scaled);
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface,
+                                                  regions_of(mesh).maximum_deviation(limit));
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_GT(status.after.minimum, .5);
+    EXPECT_TRUE(status.is_within_deviation_bound()) << status.deviation.certified;
+    ASSERT_EQ(status.interfaces.size(), 1u);
+    EXPECT_LE(status.interfaces[0].deviation.maximum, limit);
+    const auto between = interfaces(mesh);
+    for (const auto& face : between.begin()->second)
+      for (int v : face) {
+        const Point& p = mesh.points[v];
+        const double z = p.z() - wave(p);
+        EXPECT_LE((std::min)(std::abs(z - 2), std::abs(z - 4)), limit) << v;
+      }
+  }
+}
+
+// --- With references of interfaces ---------------------------------------------------------------
+
+// A surface over a square around (3, 3)
+using Soup = std::pair<std::vector<Point>, std::vector<std::array<int, 3>>>;
+
+template <class Height>
+Soup surface_over(double half, const Height& height)
+{
+  const int n = 24;
+  Soup soup;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const double x = 3 + half * (2. * i / n - 1), y = 3 + half * (2. * j / n - 1);
+      soup.first.emplace_back(x, y, height(x, y));
+      if (i < n && j < n) {
+        const int v = i + (n + 1) * j;
+        soup.second.push_back({v, v + 1, v + n + 2});
+        soup.second.push_back({v, v + n + 2, v + n + 1});
+      }
+    }
+  return soup;
+}
+
+Surface_mesh as_mesh(const Soup& soup)
+{
+  Surface_mesh mesh;
+  for (const Point& p : soup.first)
+    mesh.add_vertex(p);
+  for (const auto& t : soup.second)
+    mesh.add_face(Surface_mesh::Vertex_index(t[0]), Surface_mesh::Vertex_index(t[1]), Surface_mesh::Vertex_index(t[2]));
+  return mesh;
+}
+
+double wave(double x, double y) { return 3 + .4 * std::sin(1.1 * x) * std::cos(.7 * y); }
+double slope(double x, double y) { return 3.2 + .25 * (x - 3) + .15 * (y - 3); }
+
+// A block of voxels, divided as the surface says
+Labelled_mesh voxels_below(double (*height)(double, double))
+{
+  Labelled_mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{6, 6, 6}}, {{6, 6, 6}});
+  mesh.label([&](const Point& p) { return p.z() < height(p.x(), p.y()) ? 1 : 2; });
+  return mesh;
+}
+
+void expect_interface_on(const Labelled_mesh& mesh, const Status& status, double (*height)(double, double),
+                         double tolerance)
+{
+  EXPECT_TRUE(status.valid_mesh());
+  ASSERT_EQ(status.interfaces.size(), 1u);
+  EXPECT_LE(status.interfaces[0].deviation.maximum, .1);
+  const auto between = interfaces(mesh);
+  for (const auto& face : between.begin()->second)
+    for (int v : face)
+      EXPECT_NEAR(mesh.points[v].z(), height(mesh.points[v].x(), mesh.points[v].y()), tolerance) << v;
+  // the outside is where it was
+  const auto is_outside = mesh.complex().is_on_boundary;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (is_outside[v]) {
+      const Point& p = mesh.points[v];
+      double nearest = 1;
+      for (double x : {p.x(), p.y(), p.z()}) {
+        EXPECT_NEAR(x, 3, 3.1) << v;
+        nearest = (std::min)(nearest, 3 - std::abs(x - 3));
+      }
+      EXPECT_LE(nearest, .1) << v;
+    }
+}
+
+TEST(References_of_interfaces, are_what_interfaces_are_brought_to)
+{
+  for (const auto height : {wave, slope})
+    for (double half : {4., 2.6}) { // out of the block, and not up to its sides
+      SCOPED_TRACE(std::to_string(height == wave) + ' ' + std::to_string(half));
+      const double tolerance = half > 3 ? .1 : .15; // where it ends, it goes on straight
+      const Soup soup = surface_over(half, height);
+      Labelled_mesh mesh = voxels_below(height), again = mesh;
+      const Surface_mesh outside = boundary_of(mesh);
+      const std::map<std::pair<int, int>, Surface_mesh> surfaces{{{2, 1}, as_mesh(soup)}};
+      const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                    regions_of(mesh).interface_references(surfaces));
+      EXPECT_GE(status.after.minimum, .6);
+      expect_interface_on(mesh, status, height, tolerance);
+      // with a reference of the outside, and as a soup
+      const std::vector<std::pair<std::array<int, 2>, Soup>> soups{{{{1, 2}}, soup}};
+      const Status of_both = CGAL::optimize_hex_mesh(again.points, again.hexahedra, outside,
+                                                     regions_of(again).interface_references(soups));
+      EXPECT_GE(of_both.after.minimum, .6);
+      expect_interface_on(again, of_both, height, tolerance);
+    }
+}
+
+// Pairs of labels without one keep their interface, also where it ends at one that moves.
+TEST(References_of_interfaces, leave_the_others_where_they_are)
+{
+  Labelled_mesh mesh = voxels_below([](double, double) { return 3.; });
+  mesh.label([](const Point& p) { return p.z() < 3 ? 1 : p.x() < 3 ? 2 : 3; });
+  const std::map<std::pair<int, int>, Soup> surfaces{{{1, 2}, surface_over(4, [](double, double) { return 3.3; })},
+                                                     {{1, 3}, surface_over(4, [](double, double) { return 3.3; })}};
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                regions_of(mesh).interface_references(surfaces));
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_GE(status.after.minimum, .8);
+  ASSERT_EQ(status.interfaces.size(), 3u);
+  for (const auto& i : status.interfaces)
+    EXPECT_LE(i.deviation.maximum, .1);
+  const auto between = interfaces(mesh);
+  for (const auto& [labels, faces] : between)
+    for (const auto& face : faces)
+      for (int v : face)
+        EXPECT_NEAR(labels[0] == 1 ? mesh.points[v].z() - 3.3 : mesh.points[v].x() - 3, 0, .1) << v;
+}
+
+// With a fixed outer boundary, all but the rim is brought to the surface.
+TEST(References_of_interfaces, are_followed_within_a_fixed_boundary)
+{
+  Labelled_mesh mesh = voxels_below([](double, double) { return 3.; });
+  const Labelled_mesh input = mesh;
+  const std::map<std::pair<int, int>, Soup> surfaces{{{1, 2}, surface_over(4, wave)}};
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
+                                                regions_of(mesh).interface_references(surfaces).fixed_boundary(true));
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_GE(status.after.minimum, .5);
+  const auto is_outside = mesh.complex().is_on_boundary;
+  const auto between = interfaces(mesh);
+  for (const auto& face : between.begin()->second)
+    for (int v : face) {
+      const Point& p = mesh.points[v];
+      if (is_outside[v]) {
+        EXPECT_TRUE(same_bits(p, input.points[v])) << v;
+      }
+      else {
+        EXPECT_NEAR(p.z(), wave(p.x(), p.y()), .1) << v;
+      }
+    }
+}
+
+TEST(References_of_interfaces, that_do_not_fit_are_refused)
+{
+  Labelled_mesh mesh = voxels_below(wave);
+  const Labelled_mesh intact = mesh;
+  const auto refusal = [&](std::vector<std::pair<std::array<int, 2>, Soup>> surfaces) {
+    try {
+      CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, regions_of(mesh).interface_references(surfaces));
+    }
+    catch (const HMO::Input_error& error) {
+      EXPECT_TRUE(same_points(mesh.points, intact.points));
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Soup soup = surface_over(4, wave);
+  EXPECT_EQ(refusal({{{{1, 3}}, soup}}), "there is no interface for the reference surface between labels 1 and 3");
+  EXPECT_EQ(refusal({{{{1, 2}}, soup}, {{{2, 1}}, soup}}), "there are two references for the labels 2 and 1");
+  EXPECT_EQ(refusal({{{{1, 2}}, Soup()}}), "the reference surface between labels 1 and 2 is empty");
+  EXPECT_NE(refusal({{{{1, 2}}, surface_over(4, [](double, double) { return 1000.; })}}).find("is far away"),
+            std::string::npos);
+  Soup open = soup;
+  open.second[5] = {0, 1, 100000};
+  EXPECT_EQ(
+    refusal({{{{1, 2}}, open}}),
+    "triangle 5 of the reference surface has a vertex that is not one of its 625 points for the labels 1 and 2");
+}
+
+// --- Periodic pairs ------------------------------------------------------------------------------
+
+using Translation = Indexed_mesh::Kernel::Vector_3;
+using Pairs = std::vector<std::tuple<std::size_t, std::size_t, Translation>>;
+
+struct Periodic_block
+{
+  Labelled_mesh mesh;
+  Pairs pairs; // along x and y
+};
+
+// A wavy block with sides that are the same, and an interior and a boundary that are not
+Periodic_block periodic_block(std::size_t nx, unsigned seed, double edges)
+{
+  Periodic_block block;
+  Labelled_mesh& mesh = block.mesh;
+  const double x = double(nx), y = 4;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{nx, 4, 4}}, {{x, y, 4}});
+  std::map<Point, std::size_t> vertex;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    vertex[mesh.points[v]] = v;
+  for (const auto& [p, v] : vertex) {
+    if (p.x() == 0)
+      block.pairs.emplace_back(v, vertex.at(Point(x, p.y(), p.z())), Translation(x, 0, 0));
+    if (p.y() == y)
+      block.pairs.emplace_back(v, vertex.at(Point(p.x(), 0, p.z())), Translation(0, -y, 0));
+  }
+  mesh.bend([&](const Point& p) {
+    const double a = 2 * CGAL_PI * p.x() / x, b = 2 * CGAL_PI * p.y() / y;
+    return Point(p.x() + .3 * std::sin(b) * std::sin(p.z()), p.y() + .2 * std::sin(a), p.z() + .4 * std::sin(a + b));
+  });
+  scramble_within_regions(mesh, seed, edges);
+  for (const auto& [a, b, t] : block.pairs) // sines of a turn are not 0
+    mesh.points[b] = mesh.points[a] + t;
+  for (const auto& [a, b, t] : block.pairs)
+    mesh.points[b] = mesh.points[a] + t;
+  return block;
+}
+
+TEST(Periodic_pairs, move_together)
+{
+  for (const std::size_t nx : {4, 1}) // one hexahedron has both
+    for (unsigned seed = 0; seed < 2; ++seed)
+      for (const bool on_surface : {false, true})
+        for (const HMO::Method method : {HMO::Method::FULL, HMO::Method::RECTIFICATION, HMO::Method::MAXIMIZATION}) {
+          SCOPED_TRACE(std::to_string(nx) + ' ' + std::to_string(seed) + ' ' + std::to_string(on_surface) + ' ' +
+                       std::to_string(int(method)));
+          const Periodic_block input = periodic_block(nx, seed, nx > 1 ? .8 : 0);
+          Labelled_mesh mesh = input.mesh;
+          const auto np = params::optimization_method(method).boundary_placement(
+            on_surface ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE);
+          const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np.periodic_vertices(input.pairs));
+          EXPECT_TRUE(status.valid_mesh());
+          int moved = 0;
+          for (const auto& [a, b, t] : input.pairs) {
+            EXPECT_EQ(mesh.points[b], mesh.points[a] + t) << a << ' ' << b;
+            moved += !same_bits(mesh.points[a], input.mesh.points[a]);
+          }
+          expect_never_worse(input.mesh, mesh);
+          if (method != HMO::Method::FULL || (nx == 1 && on_surface)) // which is as good as it can be
+            continue;
+          EXPECT_GT(moved, 4);
+          // the pairs are what does it
+          Labelled_mesh without = input.mesh;
+          const Status of_it = CGAL::optimize_hex_mesh(without.points, without.hexahedra, np);
+          int apart = 0;
+          for (const auto& [a, b, t] : input.pairs)
+            apart += CGAL::squared_distance(without.points[b], without.points[a] + t) > 1e-12;
+          EXPECT_GT(apart, 4);
+          EXPECT_GE(status.after.minimum, .8 * of_it.after.minimum);
+        }
+}
+
+// One that does not move holds the other.
+TEST(Periodic_pairs, are_held_by_one_that_is_fixed)
+{
+  const Periodic_block input = periodic_block(4, 1, .8);
+  Labelled_mesh mesh = input.mesh;
+  std::vector<char> is_frozen(mesh.points.size(), false);
+  for (std::size_t i = 0; i < input.pairs.size(); i += 3)
+    is_frozen[i % 2 ? std::get<0>(input.pairs[i]) : std::get<1>(input.pairs[i])] = true;
+  const Status status = CGAL::optimize_hex_mesh(
+    mesh.points, mesh.hexahedra,
+    params::periodic_vertices(input.pairs).vertex_is_constrained_map(Marked_vertices{&is_frozen}));
+  EXPECT_TRUE(status.valid_mesh());
+  for (std::size_t i = 0; i < input.pairs.size(); ++i) {
+    const auto& [a, b, t] = input.pairs[i];
+    EXPECT_EQ(mesh.points[b], mesh.points[a] + t);
+    if (is_frozen[a] || is_frozen[b]) {
+      EXPECT_TRUE(same_bits(mesh.points[a], input.mesh.points[a]));
+      EXPECT_TRUE(same_bits(mesh.points[b], input.mesh.points[b]));
+    }
+  }
+}
+
+TEST(Periodic_pairs, that_are_none_are_refused)
+{
+  Periodic_block block = periodic_block(4, 1, .8);
+  const auto refusal = [&](std::size_t i, const Pairs::value_type& pair) {
+    Pairs pairs = block.pairs;
+    pairs[i] = pair;
+    try {
+      CGAL::optimize_hex_mesh(block.mesh.points, block.mesh.hexahedra, params::periodic_vertices(pairs));
+    }
+    catch (const HMO::Input_error& error) {
+      EXPECT_EQ(error.element(), HMO::Input_error::Element::PARAMETER);
+      EXPECT_EQ(error.element_index(), i);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto [a, b, t] = block.pairs[5];
+  EXPECT_EQ(refusal(5, {a, 100000, t}), "periodic pair 5 refers to a vertex that does not exist");
+  EXPECT_EQ(refusal(5, {a, b, t / 0.}), "the translation of periodic pair 5 is not finite");
+  EXPECT_EQ(refusal(5, {a, b, 1.25 * t}).substr(0, 80),
+            ("vertex " + std::to_string(b) + " is not where the translation takes vertex " + std::to_string(a) +
+             ", but 1 away")
+              .substr(0, 80));
 }
 
 } // namespace

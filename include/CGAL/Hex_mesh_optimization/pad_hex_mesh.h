@@ -64,7 +64,9 @@ std::vector<std::size_t> pad(PointRange& points, HexahedronRange& hexahedra, con
  * This changes the connectivity, which `CGAL::optimize_hex_mesh()` never does. The vertices keep their places and their
  * numbers, and those of the boundary stay on it; copies of them, behind, are appended. The hexahedra keep their
  * numbers, those of the layer are appended, one for each face in the order of the hexahedra that had them. Where faces meet
- * in a concave or convex edge the layer goes on around it.
+ * in a concave or convex edge the layer goes on around it. Where parts touch in an edge or a vertex each has a layer of its
+ * own. Where the boundary touches itself in a vertex around which the hexahedra hang together, as where two opposite ones of
+ * eight are missing, no place is behind all of its faces: hexahedra of the layer are inverted there, and stay so.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type is a model of
  *         `HexMeshOptimizationPoint_3`

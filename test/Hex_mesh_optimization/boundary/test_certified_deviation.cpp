@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -50,10 +51,12 @@ double largest_sample(const Triangle_surface& first, const Triangle_surface& sec
 }
 
 // The unit square times a size in n² quads, moved
-Triangle_surface sheet(int n, double size = 1, const Vector_3& offset = Vector_3::Zero())
+Triangle_surface sheet(int n, double size = 1, const Vector_3& offset = Vector_3::Zero(),
+                       std::optional<Beyond_rim> beyond = std::nullopt)
 {
   Positions points;
   std::vector<std::array<int, 4>> quads;
+  std::vector<std::array<bool, 4>> rims;
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i)
       points.push_back(Vector_3(size * i / n, size * j / n, 0) + offset);
@@ -61,8 +64,14 @@ Triangle_surface sheet(int n, double size = 1, const Vector_3& offset = Vector_3
     for (int i = 0; i < n; ++i) {
       const int v = i + (n + 1) * j;
       quads.push_back({v, v + 1, v + n + 2, v + n + 1});
+      rims.push_back({j == 0, i == n - 1, j == n - 1, i == 0});
     }
-  return Triangle_surface(points, split_quads(quads));
+  const std::vector<Triangle_indices> triangles = split_quads(quads);
+  if (!beyond)
+    return Triangle_surface(points, triangles);
+  Surface_faces faces;
+  faces.rims = rims;
+  return Triangle_surface(points, triangles, {}, Rims(triangles, {}, rim_sides(faces), *beyond));
 }
 
 void expect_same(const Certified_deviation& a, const Certified_deviation& b, double scale = 1)
@@ -104,6 +113,21 @@ TEST(Certified_deviation, is_that_of_both_directions)
     EXPECT_GE(d.upper_bound, exact);
     EXPECT_LE(d.upper_bound, 1.01 * exact + 1e-10);
   }
+}
+
+// Beside each other, and over each other: the one goes on in its plane, the other does not have to.
+TEST(Certified_deviation, beyond_rims_is_that_across)
+{
+  const double height = .3;
+  for (double size : {.8, 1., 1.3})
+    for (const Vector_3& offset : {Vector_3(1.2, 0, height), Vector_3(-.6, .3, height), Vector_3(1.1, 1.4, height)}) {
+      const Triangle_surface reference = sheet(5, 1, Vector_3::Zero(), Beyond_rim::PLANE);
+      const Triangle_surface mesh = sheet(4, size, offset, Beyond_rim::ANYTHING);
+      const Certified_deviation d = certified_distance(mesh, reference, height + 1e-10);
+      EXPECT_TRUE(d.is_shown) << d.upper_bound;
+      EXPECT_NEAR(d.largest_found, height, 1e-12);
+      EXPECT_FALSE(certified_distance(mesh, reference, .99 * height).is_shown);
+    }
 }
 
 TEST(Certified_deviation, of_a_moved_vertex_is_its_way)

@@ -26,11 +26,12 @@ struct Layers
   Surface_faces faces;
   Triangle_surface reference;
 
-  explicit Layers(int n)
+  explicit Layers(int n, bool outside_is_one = false)
     : block(3, 3, n)
     , complex(block.points.size(), block.hexahedra, {labels(block), {}})
-    , faces(boundary_surface_faces(complex))
-    , reference(block.points, split_quads(faces.quads), triangle_sheets(faces))
+    , faces(boundary_surface_faces(complex, outside_is_one))
+    , reference(block.points, split_quads(faces.quads), triangle_sheets(faces),
+                Rims(split_quads(faces.quads), triangle_sheets(faces), rim_sides(faces), Beyond_rim::PLANE))
   {}
 
   static std::vector<int> labels(const Block& block)
@@ -77,6 +78,26 @@ TEST(Deviations, of_a_sheet_are_from_its_own_place)
   const double diagonal = std::sqrt(9. + 9. + 16.);
   EXPECT_NEAR(d.of_sheet[first].maximum_relative, 1 / diagonal, 1e-12);
   EXPECT_NEAR(d.all.maximum_relative, 1 / diagonal, 1e-12);
+}
+
+// Where the outside goes along with another surface, what is in the plane of an interface is on it.
+TEST(Deviations, of_an_interface_are_measured_across_it_beyond_its_rim)
+{
+  const Layers layers(2, true);
+  const int outside = 0, interface = layers.sheet(0, 1);
+  ASSERT_NE(interface, outside);
+  for (double factor : {.7, 1.3}) {
+    Positions points = layers.block.points;
+    for (Vector_3& p : points)
+      p = Vector_3(1.5 + factor * (p[0] - 1.5), 1.5 + factor * (p[1] - 1.5), p[2]);
+    const Deviations aside = deviations(layers.faces, points, layers.reference, .2);
+    EXPECT_LT(aside.of_sheet[interface].maximum, 1e-12);
+    EXPECT_NEAR(aside.of_sheet[outside].maximum, .45 * std::sqrt(2), 1e-12) << "at the corners";
+    for (Vector_3& p : points)
+      p[2] += .2;
+    const Deviations across = deviations(layers.faces, points, layers.reference, .2);
+    EXPECT_NEAR(across.of_sheet[interface].maximum, .2, 1e-12);
+  }
 }
 
 // The sums of all are those of the sheets, whichever of them are far off

@@ -53,6 +53,8 @@ void call(Points& points, Hexahedra& hexahedra, const Surface& surface)
   CGAL::optimize_hex_mesh(points, hexahedra, params::hexahedron_label_map(flags)); // error: hexahedron_label_map() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::target_edge_length_map(1.)); // error: target_edge_length_map() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::internal_faces(flags)); // error: internal_faces() needs
+  CGAL::optimize_hex_mesh(points, hexahedra, params::interface_references(flags)); // error: interface_references() needs
+  CGAL::optimize_hex_mesh(points, hexahedra, params::periodic_vertices(flags)); // error: periodic_vertices() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::visitor(Wrong_visitor())); // error: bool on_iteration(const CGAL::
 
   // Parameters of the reference, without one and in the list of the mesh; those of the mesh in the list of the reference

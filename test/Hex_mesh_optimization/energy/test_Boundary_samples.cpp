@@ -35,9 +35,9 @@ struct Layers
   std::vector<double> lengths;
   Boundary_sample_parameters parameters;
 
-  explicit Layers(bool is_divided)
+  explicit Layers(bool is_divided, bool outside_is_one = false)
     : complex(block.points.size(), block.hexahedra, {is_divided ? labels() : std::vector<int>(), {}})
-    , faces(boundary_surface_faces(complex))
+    , faces(boundary_surface_faces(complex, outside_is_one))
     , surface(boundary_as_reference(complex, faces, block.points, Feature_parameters()))
     , attachment(attach_to_own_boundary(complex, *surface))
     , lengths(edge_lengths(complex, block.points))
@@ -113,6 +113,41 @@ TEST(Boundary_samples, exceed_the_bound_of_an_interface_only_there)
       EXPECT_EQ(bool(is_leaving[h]), on_interface && has_vertex) << h;
     }
   }
+}
+
+// Where the outside has a reference of its own, an interface goes along with it in its plane.
+TEST(Boundary_samples, of_an_interface_are_free_beyond_its_rim_but_across)
+{
+  Layers layers(true, true);
+  const std::vector<Triangle_indices> triangles = split_quads(layers.faces.quads);
+  const std::vector<int> sheets = triangle_sheets(layers.faces);
+  layers.surface = std::make_unique<Reference_surface>(layers.block.points, triangles, Edge_list(), false,
+                                                       Feature_parameters(), sheets, std::vector<int>(),
+                                                       Rims(triangles, sheets, rim_sides(layers.faces),
+                                                            Beyond_rim::PLANE));
+  layers.attachment = Boundary_attachment(layers.complex);
+  layers.attachment.set_sheets(layers.faces);
+  for (double factor : {.6, 1.4})
+    for (double height : {0., .2}) {
+      Positions points = layers.block.points;
+      for (Vector_3& p : points)
+        p = Vector_3(2 + factor * (p[0] - 2), 2 + factor * (p[1] - 2), p[2] + height);
+      Boundary_samples samples = layers.samples();
+      samples.update(points, 1);
+      double least = infinity, largest = 0;
+      int of_mesh = 0;
+      for (const Boundary_sample& s : samples.samples())
+        if (layers.faces.is_interface(s.face)) {
+          largest = (std::max)(largest, s.offset(points).norm());
+          if (s.count != 3) { // not of the reference
+            least = (std::min)(least, s.offset(points).norm());
+            ++of_mesh;
+          }
+        }
+      EXPECT_NEAR(largest, height, 1e-9);
+      EXPECT_NEAR(least, height, 1e-9) << "at the rim too";
+      EXPECT_GT(of_mesh, 16 * 9);
+    }
 }
 
 // Close to another sheet, what belongs to the interface is drawn to the interface.

@@ -5,13 +5,18 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -119,6 +124,20 @@ TEST(Named_parameters, that_divide_the_mesh_reach_the_engine)
   EXPECT_EQ(r.faces, (std::vector<std::array<int, 4>>{{1, 2, 3, 4}, {8, 7, 6, 5}}));
 }
 
+TEST(Named_parameters, that_are_pairs_of_vertices_reach_the_engine)
+{
+  using Vector = CGAL::Simple_cartesian<float>::Vector_3;
+  const std::vector<std::tuple<short, std::size_t, Vector>> pairs = {{short(2), 0, Vector(1, .5f, 0)},
+                                                                     {short(-1), 1, Vector(0, 0, 2)}};
+  const Regions r = regions(params::periodic_vertices(pairs), keys);
+  ASSERT_EQ(r.ties.size(), 2u);
+  EXPECT_EQ(r.ties[0].vertex, 2);
+  EXPECT_EQ(r.ties[0].partner, 0);
+  EXPECT_EQ(r.ties[0].translation, Vector_3(1, .5, 0));
+  EXPECT_EQ(r.ties[1].vertex, -1) << "to be refused";
+  EXPECT_EQ(r.ties[1].partner, 1);
+}
+
 TEST(Named_parameters, that_are_no_faces_are_refused)
 {
   for (const std::vector<int>& bad : {std::vector<int>(), {1, 2, 3}, {1, 2, 3, 4, 5}}) {
@@ -133,6 +152,34 @@ TEST(Named_parameters, that_are_no_faces_are_refused)
       EXPECT_NE(error.message().find("internal face 1 has " + std::to_string(bad.size())), std::string::npos);
     }
   }
+}
+
+// As a map or another range, a mesh or a soup
+TEST(Named_parameters, that_are_references_of_interfaces_reach_the_engine)
+{
+  using Point = CGAL::Simple_cartesian<float>::Point_3;
+  const std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 2, 0), Point(0, 0, .5f)};
+  const std::vector<std::vector<short>> triangles = {{0, 1, 2}, {0, 3, 1}};
+  using Soup = std::pair<std::vector<Point>, std::vector<std::vector<short>>>;
+  const std::map<std::array<int, 2>, Soup> soups{{{{-1, 4}}, {points, triangles}}, {{{5, 2}}, {points, {{1, 2, 3}}}}};
+  const auto of_soups = chosen_parameters(params::interface_references(soups), keys).interface_references;
+  ASSERT_EQ(of_soups.size(), 2u);
+  EXPECT_EQ(of_soups[0].labels, (std::array<int, 2>{-1, 4}));
+  EXPECT_EQ(of_soups[1].labels, (std::array<int, 2>{2, 5}));
+  EXPECT_EQ(of_soups[1].surface.triangles, (std::vector<Triangle_indices>{{1, 2, 3}}));
+  CGAL::Surface_mesh<Point> mesh;
+  for (const Point& p : points)
+    mesh.add_vertex(p);
+  using Vertex = CGAL::Surface_mesh<Point>::Vertex_index;
+  for (const auto& t : triangles)
+    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  const std::vector<std::pair<std::pair<long, short>, CGAL::Surface_mesh<Point>>> meshes{{{7, 3}, mesh}};
+  const auto of_meshes = chosen_parameters(params::interface_references(meshes), keys).interface_references;
+  ASSERT_EQ(of_meshes.size(), 1u);
+  EXPECT_EQ(of_meshes[0].labels, (std::array<int, 2>{3, 7}));
+  EXPECT_EQ(of_meshes[0].surface.points, of_soups[0].surface.points);
+  EXPECT_EQ(of_meshes[0].surface.triangles.size(), 2u);
+  EXPECT_TRUE(chosen_parameters(params::default_values(), keys).interface_references.empty());
 }
 
 struct Counting_visitor

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+
 #include <random>
 #include <vector>
 
@@ -57,6 +59,55 @@ TEST(Block_matrix, solves_large_systems_the_same_whatever_the_number_of_threads)
   EXPECT_EQ(solution, in_parallel);
   for (int v = 0; v < n; ++v)
     EXPECT_LT((solution[v] - x[v]).norm(), 1e-3);
+}
+
+// Against the dense system of the leaders. Some that are tied are coupled.
+TEST(Block_matrix, with_ties_solves_for_those_that_move_together)
+{
+  std::mt19937 random(5);
+  Indexed_mesh block;
+  HMO::make_block(block.points, block.hexahedra, {{3, 2, 2}}, {{1, 1, 1}});
+  const Hexahedral_complex complex = block.complex();
+  const int n = static_cast<int>(complex.number_of_vertices());
+  const Ties ties(n, {{{0, 1}}, {{2, 20}}, {{20, 30}}, {{7, 5}}, {{11, 12}}});
+  Block_matrix matrix(vertex_couplings(complex), ties);
+  matrix.set_zero();
+  Eigen::MatrixXd P = Eigen::MatrixXd::Zero(3 * n, 3 * n), A = P;
+  const auto add = [&](int i, int j, const Matrix_3& B) {
+    matrix.add(i, j, B);
+    A.block<3, 3>(3 * i, 3 * j) += B;
+    if (i != j)
+      A.block<3, 3>(3 * j, 3 * i) += B.transpose();
+  };
+  for (int v = 0; v < n; ++v)
+    add(v, v, Matrix_3::Identity());
+  for (const Hexahedron& h : complex.hexahedra)
+    for (int k = 0; k < 12; ++k) {
+      const int v = h[hexahedron_edges[k][0]], u = h[hexahedron_edges[k][1]];
+      Matrix_3 M; // of |v - M u|²
+      M << random_vector(random, 1), random_vector(random, 1), random_vector(random, 1);
+      add(v, v, Matrix_3::Identity());
+      add(u, u, M.transpose() * M);
+      add(v, u, -M);
+    }
+  std::vector<char> is_fixed(n, false);
+  is_fixed[0] = is_fixed[1] = is_fixed[9] = true;
+  for (int v = 0; v < n; ++v)
+    if (!is_fixed[v])
+      P.block<3, 3>(3 * v, 3 * ties.leader(v)).setIdentity();
+  Positions b, x;
+  Eigen::VectorXd dense(3 * n);
+  for (int v = 0; v < n; ++v) {
+    b.push_back(random_vector(random, 1));
+    dense.segment<3>(3 * v) = b[v];
+  }
+  const Eigen::VectorXd expected =
+    P * Eigen::MatrixXd(P.transpose() * A * P).completeOrthogonalDecomposition().solve(P.transpose() * dense);
+  matrix.solve(b, all_but(is_fixed), 1e-6, 1000, x);
+  for (int v = 0; v < n; ++v) {
+    EXPECT_EQ(x[v], x[ties.leader(v)]);
+    EXPECT_LT((x[v] - expected.segment<3>(3 * v)).norm(), 1e-4 * expected.norm()) << v;
+  }
 }
 
 } // namespace

@@ -131,6 +131,32 @@ TEST(Vertex_system, keeps_fixed_rows_and_solves_for_the_others)
   }
 }
 
+// From a start whose differences stay: the minimizer among all that have them
+TEST(Vertex_system, with_ties_keeps_differences_and_solves_for_the_rest)
+{
+  for (unsigned int seed = 0; seed < 3; ++seed) {
+    Random_system s(seed);
+    s.system.ties = Ties(s.n, {{{3, 9}}, {{11, 9}}, {{4, 10}}, {{0, 1}}});
+    s.system.is_fixed[4] = s.system.is_fixed[10] = true;
+    std::mt19937 random(seed);
+    const Positions start = moved(Positions(s.n, Vector_3::Zero()), random, 2);
+    Positions points = start;
+    EXPECT_GT(s.system.solve(points, 1e-13, 1000), 0);
+    std::vector<Vector_3> force_on(s.n, Vector_3::Zero()); // by the leaders
+    const Eigen::VectorXd residual = s.A * flat(points) - s.b;
+    for (std::size_t v = 0; v < s.n; ++v) {
+      const int leader = s.system.ties.leader(int(v));
+      EXPECT_LT(((points[v] - start[v]) - (points[leader] - start[leader])).norm(), 1e-12);
+      force_on[leader] += residual.segment<3>(3 * v);
+    }
+    for (std::size_t v = 0; v < s.n; ++v)
+      if (s.system.is_fixed[v])
+        EXPECT_EQ(points[v], start[v]);
+      else
+        EXPECT_LT(force_on[v].norm(), 1e-9) << v;
+  }
+}
+
 TEST(Vertex_system, honors_the_limit_of_iterations)
 {
   const Random_system s(1);

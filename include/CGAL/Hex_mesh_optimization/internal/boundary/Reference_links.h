@@ -16,6 +16,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Nearby_triangles.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Rims.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Smooth_normals.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
@@ -46,13 +47,14 @@ public:
     double distance;
     std::size_t triangle; // of the faces, two each
     bool is_new;          // by the last update
-    Vector_3 direction;   // unit vector between the two, or a normal where they coincide
+    Vector_3 direction;   // unit vector between the two, or a normal where they coincide; zero beyond a rim
   };
 
   // faces: with the same sheets as the surface. spacing: of the samples.
   Reference_links(const Surface_faces& faces, const Triangle_surface& surface, double spacing)
     : triangles_(split_quads(faces.quads))
     , sheets_(triangle_sheets(faces))
+    , rims_(triangle_rims(faces))
     , samples_(spread_samples(surface, faces.quads.size(), spacing))
   {
     // vertices stand for a third of the triangles around them, in addition to the samples within: tips must not be
@@ -85,7 +87,7 @@ public:
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
     if (is_first || !is_known(points)) {
-      known_ = std::make_unique<Triangle_surface>(points, triangles_, sheets_);
+      known_ = std::make_unique<Triangle_surface>(points, triangles_, sheets_, rims_);
       nearby_.reset(samples_.size());
       fast_ = nullptr;
       if (known_->is_empty()) {
@@ -127,10 +129,13 @@ private:
     const Surface_point foot = normals ? known_->closest_point(sample, Surface_point::no_hint, samples_[i].sheet)
                                        : closest(i, points);
     const Triangle_indices& t = known_->triangles[foot.triangle];
-    const double distance = (foot.point - sample).norm();
+    const bool is_beyond = known_->rims.triangle_at(foot) != Rims::none;
+    const double distance = is_beyond ? 0 : (foot.point - sample).norm();
     Link& link = links_[i];
     link = {t, foot.coordinates, sample, samples_[i].area, distance, foot.triangle, true, Vector_3::Zero()};
-    if (distance > Target::coincidence)
+    if (is_beyond)
+      link.direction = Vector_3::Zero();
+    else if (distance > Target::coincidence)
       link.direction = (foot.point - sample) / distance;
     else if (normals)
       link.direction = normals->at(foot.triangle, foot.coordinates);
@@ -190,6 +195,7 @@ private:
 
   const std::vector<Triangle_indices> triangles_; // of the faces
   const std::vector<int> sheets_;                 // of the triangles, or none
+  const Rims rims_;                               // of the faces
   std::vector<Surface_sample> samples_;
   std::vector<Link> links_;
   std::vector<std::array<Vector_3, 3>> found_at_; // the vertices of each link

@@ -61,6 +61,9 @@ public:
   {
     const Surface_point q = closest_point(i, p, sheet);
     triangles_[i] = q.triangle;
+    const int at_rim = surface_.rims.triangle_at(q);
+    if (at_rim != Rims::none)
+      return Target::in_direction(q.point, surface_.plane_normal(at_rim));
     return Target::on_plane(q.point, p, surface_.normal(q.triangle, q.coordinates));
   }
 

@@ -14,6 +14,7 @@
 // only: not at all on a corner, along a curve, within the surface.
 
 #include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Ties.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -32,14 +34,17 @@ class Sliding
 public:
   // Corners where curves meet are held; other corners, curves and the surface where the boundary has to be on the
   // surface. What already stands on its place at the points is held from the start, the rest once all of it is called.
-  // surface and attachment must outlive the object.
+  // ties: of the vertices; where one of those that are tied goes, the one with the least freedom, all go. surface and
+  // attachment must outlive the object.
   Sliding(const Reference_surface& surface, const Boundary_attachment& attachment, Boundary_placement placement,
-          const Positions& points)
+          const Positions& points, const Ties& ties = Ties())
     : surface_(surface)
     , attachment_(attachment)
     , kind_(points.size(), Kind::FREE)
     , is_there_(points.size(), false)
     , hints_(points.size(), Surface_point::no_hint)
+    , tied_(ties.groups())
+    , goes_with_(points.size())
   {
     const bool on_surface = placement == Boundary_placement::ON_SURFACE;
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -62,9 +67,11 @@ public:
       case Vertex_kind::INTERIOR:
         break;
       }
+    }
+    tie();
+    for (std::size_t v = 0; v < points.size(); ++v)
       if (kind_[v] != Kind::FREE && kind_[v] != Kind::FIXED)
         held_.push_back(static_cast<int>(v));
-    }
     notice_arrivals(points, true);
   }
 
@@ -102,7 +109,11 @@ public:
   }
 
   // Whether a vertex does not move at all.
-  bool is_at_rest(std::size_t v) const { return kind_[v] == Kind::FIXED || (kind_[v] == Kind::CORNER && is_bound(v)); }
+  bool is_at_rest(std::size_t v) const
+  {
+    const int u = goes_with_[v];
+    return kind_[u] == Kind::FIXED || (kind_[u] == Kind::CORNER && is_bound(u));
+  }
 
   Freedoms freedoms(const Positions& points) const
   {
@@ -128,12 +139,18 @@ public:
           }
       },
       searches_of_range);
+    for (const std::vector<int>& group : tied_)
+      for (int v : group)
+        result[v] = result[group.front()];
     return result;
   }
 
   // Moves those that stood on their places before a step back onto them after it.
   void retract(Positions& points) const
   {
+    Positions before; // of the first of those that are tied
+    for (const std::vector<int>& group : tied_)
+      before.push_back(points[group.front()]);
     for_each(
       held_.size(),
       [&](std::size_t i) {
@@ -142,6 +159,9 @@ public:
           points[v] = place(v, points[v]);
       },
       searches_of_range);
+    for (std::size_t i = 0; i < tied_.size(); ++i)
+      for (std::size_t k = 1; k < tied_[i].size(); ++k)
+        points[tied_[i][k]] += points[tied_[i][0]] - before[i];
   }
 
   // The ways that those which are called have to their places; zero for all others.
@@ -151,6 +171,9 @@ public:
     for (int v : held_)
       if (!is_there_[v] && are_all_called_)
         result[v] = place(v, points[v]) - points[v];
+    for (const std::vector<int>& group : tied_)
+      for (int v : group)
+        result[v] = result[group.front()];
     return result;
   }
 
@@ -158,10 +181,26 @@ public:
   void arrive(const Positions& points) { notice_arrivals(points, are_all_called_); }
 
 private:
-  enum class Kind : char { FREE, FIXED, CORNER, CURVE, SURFACE };
+  enum class Kind : char { FIXED, CORNER, CURVE, SURFACE, FREE }; // the less freedom, the lower
 
   static constexpr std::size_t searches_of_range = 64; // a search takes some microseconds
   static constexpr double arrival = 1e-11;             // mean boundary edges: what rounding leaves
+
+  // Of those that are tied, the one with the least freedom comes first and alone has a place; the others go with it.
+  void tie()
+  {
+    for (std::size_t v = 0; v < goes_with_.size(); ++v)
+      goes_with_[v] = static_cast<int>(v);
+    for (std::vector<int>& group : tied_) {
+      const auto first = std::min_element(group.begin(), group.end(),
+                                          [this](int a, int b) { return kind_[a] < kind_[b]; });
+      std::swap(*group.begin(), *first);
+      for (std::size_t k = 1; k < group.size(); ++k)
+        kind_[group[k]] = Kind::FREE;
+      for (int v : group)
+        goes_with_[v] = group.front();
+    }
+  }
 
   bool is_bound(std::size_t v) const { return are_all_called_ || is_there_[v]; }
 
@@ -197,6 +236,8 @@ private:
   std::vector<char> is_there_; // of each vertex
   bool are_all_called_ = false;
   mutable std::vector<std::size_t> hints_; // for searches; whatever they are, the results are the same
+  std::vector<std::vector<int>> tied_;     // vertices that move together
+  std::vector<int> goes_with_;             // each vertex, itself or the first of those that it is tied to
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -41,8 +41,11 @@ struct Surface_faces
   std::vector<std::array<int, 4>> quads;  // the boundary faces
   std::vector<int> sheets;                // of the quads, counted from 0; none: all are in one
   std::vector<std::array<int, 2>> labels; // of each sheet, on either side; nothing beyond: no_label
-  std::vector<Edge> edges;                // one for each sheet that an edge belongs to
-  std::vector<Vertex> vertices;           // one for each sheet that a vertex belongs to, in the order of the vertices
+  // Of each quad, the sides (from each corner to the next) where an interface ends at another surface, as at the outer
+  // boundary, and one of them goes elsewhere: it goes along. None: there are no such.
+  std::vector<std::array<bool, 4>> rims;
+  std::vector<Edge> edges;      // one for each sheet that an edge belongs to
+  std::vector<Vertex> vertices; // one for each sheet that a vertex belongs to, in the order of the vertices
 
   static constexpr int no_label = (std::numeric_limits<int>::max)();
 
@@ -57,8 +60,34 @@ struct Surface_faces
   }
 };
 
-// outside_is_one: all faces with nothing beyond are one sheet, the first, whichever regions they bound.
-inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, bool outside_is_one = false)
+// The sides of the quads in edges where sheets meet of which one goes elsewhere.
+inline std::vector<std::array<bool, 4>> rims_of_interfaces(const Hexahedral_complex& complex,
+                                                           const Surface_faces& faces,
+                                                           const std::vector<char>& goes_elsewhere)
+{
+  const auto edge = [&](std::size_t f, int k) {
+    return complex.find_edge(faces.quads[f][k], faces.quads[f][(k + 1) % 4]) / 2;
+  };
+  constexpr int none = -1, several = -2;
+  std::vector<int> sheet(complex.edges.size(), none);
+  std::vector<char> has_elsewhere(complex.edges.size(), false);
+  for (std::size_t f = 0; f < faces.quads.size(); ++f)
+    for (int k = 0; k < 4; ++k) {
+      const int s = faces.sheet(static_cast<int>(f)), e = edge(f, k);
+      sheet[e] = sheet[e] == none || sheet[e] == s ? s : several;
+      has_elsewhere[e] = has_elsewhere[e] || goes_elsewhere[s];
+    }
+  std::vector<std::array<bool, 4>> rims(faces.quads.size());
+  for (std::size_t f = 0; f < faces.quads.size(); ++f)
+    for (int k = 0; k < 4; ++k)
+      rims[f][k] = faces.is_interface(static_cast<int>(f)) && sheet[edge(f, k)] == several && has_elsewhere[edge(f, k)];
+  return rims;
+}
+
+// outside_is_one: all faces with nothing beyond are one sheet, the first, whichever regions they bound; it may go
+// elsewhere, as may the interfaces between the moving pairs of labels.
+inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, bool outside_is_one = false,
+                                            const std::vector<std::array<int, 2>>& moving = {})
 {
   Surface_faces faces;
   std::vector<std::array<int, 2>> labels;
@@ -78,6 +107,14 @@ inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, b
     for (const std::array<int, 2>& l : labels)
       faces.sheets.push_back(
         static_cast<int>(std::lower_bound(faces.labels.begin(), faces.labels.end(), l) - faces.labels.begin()));
+
+  if (outside_is_one && faces.labels.size() > 1) {
+    std::vector<char> goes_elsewhere;
+    for (const std::array<int, 2>& l : faces.labels)
+      goes_elsewhere.push_back(l[1] == Surface_faces::no_label ||
+                               std::find(moving.begin(), moving.end(), l) != moving.end());
+    faces.rims = rims_of_interfaces(complex, faces, goes_elsewhere);
+  }
 
   std::vector<std::array<int, 3>> sides; // edge, sheet, face, without those that follow another one in both
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)

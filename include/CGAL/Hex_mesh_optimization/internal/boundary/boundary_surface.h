@@ -17,6 +17,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Rims.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 
@@ -24,6 +25,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -92,10 +94,28 @@ inline std::vector<int> triangle_sheets(const Surface_faces& faces)
   return sheets;
 }
 
+// The sides of the triangles that the faces are split into where those have rims, as Rims takes them.
+inline std::vector<std::size_t> rim_sides(const Surface_faces& faces)
+{
+  constexpr std::array<int, 4> in_both{{0, 1, 4, 5}}; // triangles
+  std::vector<std::size_t> sides;
+  for (std::size_t f = 0; f < faces.rims.size(); ++f)
+    for (int k = 0; k < 4; ++k)
+      if (faces.rims[f][k])
+        sides.push_back(6 * f + in_both[k]);
+  return sides;
+}
+
+// The rims of faces of the mesh: what of the reference is beyond, the mesh does not reach.
+inline Rims triangle_rims(const Surface_faces& faces)
+{
+  return Rims(split_quads(faces.quads), triangle_sheets(faces), rim_sides(faces), Beyond_rim::ANYTHING);
+}
+
 // Faces with the vertices at these places.
 inline Triangle_surface as_triangle_surface(const Surface_faces& faces, const Positions& points)
 {
-  return Triangle_surface(points, split_quads(faces.quads), triangle_sheets(faces));
+  return Triangle_surface(points, split_quads(faces.quads), triangle_sheets(faces), triangle_rims(faces));
 }
 
 // Vertices in which parts of the boundary touch that share no edge there.

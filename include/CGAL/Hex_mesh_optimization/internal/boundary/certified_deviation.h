@@ -23,6 +23,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Rims.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
@@ -266,8 +267,10 @@ private:
 
   Surface_point search(const Vector_3& p, std::size_t hint, int sheet, Found& found) const
   {
-    const Surface_point foot = to_.closest_point(p, hint, sheet);
-    found.note((foot.point - p).norm(), p);
+    Surface_point foot = to_.closest_point(p, hint, sheet);
+    found.note(to_.way(p, foot).norm(), p);
+    if (const int at_rim = to_.rims.triangle_at(foot); at_rim != Rims::none)
+      foot.triangle = at_rim; // has the side that what is beyond is compared with
     return foot;
   }
 
@@ -290,9 +293,27 @@ private:
 
   double distance(const Convex_polygon& polygon, std::size_t triangle) const
   {
+    double least = largest_over(polygon, [&](const Vector_3& p) { return distance(p, triangle); });
+    for (int k = 0; k < 3; ++k)
+      if (to_.rims.has(triangle, k)) {
+        // what is beyond is convex too
+        const Vector_3 &start = to_.corner(triangle, k), normal = to_.plane_normal(triangle);
+        const Vector_3 outwards = (to_.corner(triangle, (k + 1) % 3) - start).cross(normal).normalized();
+        least = (std::min)(least, largest_over(polygon, [&](const Vector_3& p) {
+                             const double before = (std::max)(0.0, -outwards.dot(p - start));
+                             return to_.rims.beyond == Beyond_rim::ANYTHING ? before
+                                                                            : std::hypot(before, normal.dot(p - start));
+                           }));
+      }
+    return least;
+  }
+
+  template <class Distance>
+  static double largest_over(const Convex_polygon& polygon, const Distance& distance)
+  {
     double largest = 0;
     for (const Vector_3& corner : polygon)
-      largest = (std::max)(largest, distance(corner, triangle));
+      largest = (std::max)(largest, distance(corner));
     return largest;
   }
 

@@ -67,7 +67,7 @@ inline void extend_deviations(const Triangle_surface& from, const Triangle_surfa
       for (std::size_t i = begin; i < end; ++i) {
         const Surface_point foot = to.closest_point(samples[i].point, hint, samples[i].sheet);
         hint = foot.hint;
-        const double distance = (foot.point - samples[i].point).norm();
+        const double distance = to.way(samples[i].point, foot).norm();
         part[samples[i].sheet].add({samples[i].area * distance, samples[i].area, distance});
       }
       return part;

@@ -125,6 +125,7 @@ public:
     , maximum_deviation_(maximum_deviation)
     , tolerance_(has_tolerance ? parameters.tolerance : std::numeric_limits<double>::infinity())
     , faces_(faces)
+    , surface_(surface)
     , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(),
                                  [](const std::array<int, 2>& labels) { return labels[1] != Surface_faces::no_label; }))
     , attachment_(attachment)
@@ -140,6 +141,8 @@ public:
   // which the boundary is attached.
   void update(const Positions& points, double tightness)
   {
+    if (is_held_away_.empty())
+      find_held_away(points);
     for_each(
       own_count_,
       [&](std::size_t i) {
@@ -177,7 +180,8 @@ public:
   bool is_bounded_everywhere() const { return std::isfinite(maximum_deviation_); }
   bool is_bounded() const { return has_interface_ || std::isfinite(maximum_deviation_); }
 
-  // By how much the samples exceed what is tolerated at the most, relative to it.
+  // By how much the samples exceed what is tolerated at the most, relative to it. Those of faces with a fixed vertex that
+  // does so itself do not count: they would hide all others.
   double excess(const Positions& points) const
   {
     double largest = 0;
@@ -186,7 +190,8 @@ public:
     for (double of_range : results_of_ranges<double>(samples_.size(), [&](std::size_t begin, std::size_t end) {
            double of_range = 0;
            for (std::size_t i = begin; i < end; ++i)
-             of_range = (std::max)(of_range, samples_[i].offset(points).norm() / tolerated(samples_[i]) - 1);
+             if (!is_held_away_[samples_[i].face])
+               of_range = (std::max)(of_range, samples_[i].offset(points).norm() / tolerated(samples_[i]) - 1);
            return of_range;
          }))
       largest = (std::max)(largest, of_range);
@@ -340,24 +345,49 @@ private:
     s.target = Target::on_plane(link.sample, s.place(points), Vector_3::UnitX());
   }
 
+  // The faces with a fixed vertex that is farther from their sheet than tolerated.
+  void find_held_away(const Positions& points)
+  {
+    is_held_away_.assign(faces_.quads.size(), false);
+    std::vector<std::array<int, 2>> away; // vertices, sheets
+    for (const Surface_faces::Vertex& v : faces_.vertices)
+      if (attachment_.kind[v.vertex] == Vertex_kind::FIXED) {
+        const Vector_3& p = points[v.vertex];
+        const int sheet = faces_.sheet(v.face);
+        const Surface_point foot = surface_.closest_point(p, Surface_point::no_hint, sheet);
+        if (surface_.way(p, foot).norm() > tolerated(v.face, scale_[v.vertex]))
+          away.push_back({v.vertex, sheet});
+      }
+    std::sort(away.begin(), away.end());
+    for (std::size_t f = 0; f < faces_.quads.size() && !away.empty(); ++f)
+      for (int v : faces_.quads[f])
+        if (std::binary_search(away.begin(), away.end(), std::array<int, 2>{v, faces_.sheet(static_cast<int>(f))}))
+          is_held_away_[f] = true;
+  }
+
   bool is_bounded(int face) const { return std::isfinite(maximum_deviation_) || faces_.is_interface(face); }
 
-  // What the distance of a sample is to keep to; infinite where it is not bounded.
-  double bound_of(const Boundary_sample& s) const
+  // What the distance of a sample on a face is to keep to, with the local edge as its scale; infinite where it is not
+  // bounded.
+  double bound_of(int face, double scale) const
   {
-    return parameters_.kept_part * (faces_.is_interface(s.face)
-                                      ? (std::min)(maximum_deviation_, parameters_.interface_deviation * s.scale)
+    return parameters_.kept_part * (faces_.is_interface(face)
+                                      ? (std::min)(maximum_deviation_, parameters_.interface_deviation * scale)
                                       : maximum_deviation_);
   }
 
-  double tolerated(const Boundary_sample& s) const { return is_bounded(s.face) ? bound_of(s) : tolerance_ * s.scale; }
+  double tolerated(int face, double scale) const
+  {
+    return is_bounded(face) ? bound_of(face, scale) : tolerance_ * scale;
+  }
+  double tolerated(const Boundary_sample& s) const { return tolerated(s.face, s.scale); }
 
   void bound(const Positions& points, double tightness)
   {
     const double loosening = std::pow(tightness, -parameters_.loosening);
     for_each(samples_.size(), [&](std::size_t i) {
       Boundary_sample& s = samples_[i];
-      const double bound = bound_of(s);
+      const double bound = bound_of(s.face, s.scale);
       s.bound = bound * loosening;
       s.wall = parameters_.wall * (std::max)(s.bound, s.offset(points).norm());
       s.emphasis = std::sqrt((std::max)(1.0, parameters_.close_distance * s.scale / bound));
@@ -368,6 +398,7 @@ private:
   const double maximum_deviation_;
   const double tolerance_; // without a bound, in local edge lengths
   const Surface_faces& faces_;
+  const Reference_surface& surface_;
   const bool has_interface_;
   const Boundary_attachment& attachment_;
   const std::vector<double> scale_; // of each vertex of the faces
@@ -377,6 +408,7 @@ private:
   Reference_links reference_links_;
   const Curve_links curve_links_;
   Grouped_array of_face_;
+  std::vector<char> is_held_away_; // of the faces
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Translations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Memory_order.h>
@@ -50,6 +51,7 @@ public:
   const std::size_t number_of_coincident_vertices; // that would be gone if vertices that coincide were merged
   const Memory_order order;                        // in which all that follows is
   const Positions points;
+  const Translations translations; // from vertices to those that move with them
   const Hexahedral_complex complex;
 
 private:
@@ -66,6 +68,7 @@ private:
     , number_of_coincident_vertices(numbering.number_of_coincident_vertices)
     , order(std::move(numbering.order))
     , points(order.ordered(given))
+    , translations(given.size(), order.ordered(regions).ties)
     , complex(given.size(), order.ordered(numbering.hexahedra), order.ordered(regions))
     , given_hexahedra_(std::move(numbering.hexahedra))
   {}
@@ -74,6 +77,7 @@ private:
   {
     check(points, hexahedra);
     check(regions.faces, points.size());
+    check(regions.ties, points.size());
     const Face_neighbors neighbors(hexahedra);
     const Orientation orientation(points, hexahedra, neighbors);
     std::vector<std::size_t> turned_hexahedra;
@@ -124,6 +128,19 @@ private:
         if (v < 0 || std::size_t(v) >= number_of_vertices)
           throw Input_error(Input_error::Element::PARAMETER, f,
                             "internal face " + std::to_string(f) + " refers to a vertex that does not exist");
+  }
+
+  static void check(const std::vector<Tie>& ties, std::size_t number_of_vertices)
+  {
+    for (std::size_t i = 0; i < ties.size(); ++i) {
+      for (int v : {ties[i].vertex, ties[i].partner})
+        if (v < 0 || std::size_t(v) >= number_of_vertices)
+          throw Input_error(Input_error::Element::PARAMETER, i,
+                            "periodic pair " + std::to_string(i) + " refers to a vertex that does not exist");
+      if (!ties[i].translation.allFinite())
+        throw Input_error(Input_error::Element::PARAMETER, i,
+                          "the translation of periodic pair " + std::to_string(i) + " is not finite");
+    }
   }
 
   const std::vector<Hexahedron> given_hexahedra_; // in the caller's order and numbering, but for the orientation

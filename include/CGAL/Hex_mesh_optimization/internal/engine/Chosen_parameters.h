@@ -14,12 +14,14 @@
 
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Rectification_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
 
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
@@ -35,6 +37,7 @@ struct Chosen_parameters
   Target_edge_lengths target_edge_lengths = Target_edge_lengths::ESTIMATED;
   std::function<double(std::size_t, std::size_t)> target_length; // of the edge between two vertices; empty: see above
   std::function<bool(const Iteration&)> on_iteration;
+  std::vector<Interface_reference> interface_references; // for pairs of labels, each once
   Feature_parameters features;
   Rectification_parameters rectification;
 };

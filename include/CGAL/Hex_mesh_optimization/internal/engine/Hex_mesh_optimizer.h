@@ -173,7 +173,7 @@ private:
 
   Sliding sliding(const Positions& points) const
   {
-    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, points);
+    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, points, mesh_.complex.ties);
   }
 
   std::vector<char> vertices_at_rest(const Positions& points) const

@@ -22,6 +22,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Reference_parts.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Edge_relations.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Target_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
@@ -49,18 +50,18 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Model
 {
 public:
-  // Throws Input_error. reference: null when the boundary of the mesh is its own reference. is_frozen: of the vertices
+  // Throws Input_error. reference: null when the outer boundary of the mesh is its own reference. is_frozen: of the vertices
   // in the order of the caller. The mesh must outlive the object.
   Model(const Checked_mesh& checked, const Reference_input* reference, const std::vector<char>& is_frozen,
         const Optimization_parameters& parameters)
     : mesh(checked)
-    , reference_is_given(is_given(reference))
-    , unit(mean_boundary_edge(mesh))
+    , reference_is_given(is_one_given(reference, parameters.interface_references))
+    , unit(checked_unit(mesh))
     , center(boundary_center(mesh, unit))
     , points(in_units(mesh.points))
-    , faces(boundary_surface_faces(mesh.complex, reference_is_given))
-    , surface(reference ? given_reference(*reference, parameters.features) : own_reference(parameters.features))
-    , attachment(attached(is_frozen, parameters.fixed_boundary))
+    , faces(boundary_surface_faces(mesh.complex, reference_is_given, labels_of(parameters.interface_references)))
+    , surface(reference_is_given ? given_reference(reference, parameters) : own_reference(parameters.features))
+    , attachment(attached(reference != nullptr, is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
     , relations(mesh.complex)
     , targets(target_lengths(parameters))
@@ -82,11 +83,12 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v)
       if (!is_fixed[v] && positions[v] != points[v])
         result[v] = positions[v] * unit + center;
+    mesh.translations.restore(mesh.points, result);
     return result;
   }
 
   const Checked_mesh& mesh;
-  const bool reference_is_given; // it is not the boundary of the mesh itself
+  const bool reference_is_given; // for something it is not the mesh itself
   const double
     unit; // the boundary terms have units of length², so that all weights presuppose one: the mean boundary edge
   const Vector_3 center;
@@ -102,20 +104,49 @@ private:
   // Of an edge whose length is asked for: far thinner than boundary layers are, but not nothing.
   static constexpr double least_input_length = 1e-5;
 
-  // Throws Input_error if it cannot be used.
-  static bool is_given(const Reference_input* reference)
+  // Throws Input_error if one cannot be used.
+  static bool is_one_given(const Reference_input* reference, const std::vector<Interface_reference>& interfaces)
+  {
+    if (reference)
+      require_usable(*reference, of_outside);
+    for (const Interface_reference& i : interfaces)
+      require_usable(i.surface, name_of(i));
+    return reference || !interfaces.empty();
+  }
+
+  static void require_usable(const Reference_input& reference, const std::string& name)
   {
     using Element = Input_error::Element;
-    if (!reference)
-      return false;
-    for (std::size_t v = 0; v < reference->points.size(); ++v)
-      if (!reference->points[v].allFinite())
+    for (std::size_t v = 0; v < reference.points.size(); ++v)
+      if (!reference.points[v].allFinite())
         throw Input_error(Element::REFERENCE_VERTEX, v,
-                          "vertex " + std::to_string(v) +
-                            " of the reference surface has a coordinate that is not finite");
-    if (reference->triangles.empty())
-      throw Input_error(Element::MESH, 0, "the reference surface is empty");
-    return true;
+                          "vertex " + std::to_string(v) + " of " + name + " has a coordinate that is not finite");
+    if (reference.triangles.empty())
+      throw Input_error(Element::MESH, 0, name + " is empty");
+  }
+
+  static constexpr const char* of_outside = "the reference surface";
+
+  static std::string name_of(const Interface_reference& reference)
+  {
+    return std::string(of_outside) + " between labels " + std::to_string(reference.labels[0]) + " and " +
+           std::to_string(reference.labels[1]);
+  }
+
+  static std::vector<std::array<int, 2>> labels_of(const std::vector<Interface_reference>& interfaces)
+  {
+    std::vector<std::array<int, 2>> result;
+    for (const Interface_reference& i : interfaces)
+      result.push_back(i.labels);
+    return result;
+  }
+
+  // In which the translations of vertices are checked as well.
+  static double checked_unit(const Checked_mesh& mesh)
+  {
+    const double unit = mean_boundary_edge(mesh);
+    mesh.translations.check(mesh.points, unit, [&](int v) { return mesh.order.given_vertex(v); });
+    return unit;
   }
 
   static double mean_boundary_edge(const Checked_mesh& mesh)
@@ -139,46 +170,41 @@ private:
     return sum / double(count) * unit;
   }
 
-  std::unique_ptr<const Reference_surface> given_reference(const Reference_input& reference,
-                                                           const Feature_parameters& features) const
+  // reference: null for the mesh as it is.
+  std::unique_ptr<const Reference_surface> given_reference(const Reference_input* reference,
+                                                           const Optimization_parameters& parameters) const
   {
-    Positions normalized = in_units(reference.points);
-    require_area(normalized, reference.triangles,
-                 "the reference surface has no face with an area that is not lost against the mesh");
-    require_same_place(reference);
-    Edge_list sharp = reference.sharp_is_given ? reference.sharp
-                                               : sharp_edges(normalized, reference.triangles, features.angle_bound);
-    std::vector<Triangle_indices> triangles = reference.triangles;
-    std::vector<int> sheets;
+    Reference_parts parts(mesh.complex, faces, points, parameters.features);
+    if (!reference)
+      require_area_of_boundary();
+    else {
+      const Positions normalized = usable_places(*reference, of_outside);
+      require_same_place(*reference, of_outside, true);
+      parts.add_given(Reference_parts::outside, normalized, reference->triangles,
+                      reference->sharp_is_given
+                        ? reference->sharp
+                        : sharp_edges(normalized, reference->triangles, parameters.features.angle_bound));
+    }
+    for (std::size_t i = 0; i < parameters.interface_references.size(); ++i) {
+      const Interface_reference& given = parameters.interface_references[i];
+      const auto sheet = std::lower_bound(faces.labels.begin(), faces.labels.end(), given.labels);
+      if (sheet == faces.labels.end() || *sheet != given.labels)
+        throw Input_error(Input_error::Element::PARAMETER, i, "there is no interface for " + name_of(given));
+      require_same_place(given.surface, name_of(given), false);
+      parts.add_given(static_cast<int>(sheet - faces.labels.begin()), usable_places(given.surface, name_of(given)),
+                      given.surface.triangles, given.surface.sharp);
+    }
     if (faces.labels.size() > 1)
-      append_interfaces(features.angle_bound, normalized, triangles, sheets, sharp);
-    return std::make_unique<const Reference_surface>(std::move(normalized), std::move(triangles), std::move(sharp),
-                                                     reference.sharp_is_given, features, std::move(sheets));
+      parts.add_mesh();
+    return parts.joined(reference && reference->sharp_is_given);
   }
 
-  // To a reference for what has nothing beyond, what is between regions, as it is. Where an interface ends at the outer
-  // boundary it goes along with that; no curve holds it where it was.
-  void append_interfaces(double angle_bound, Positions& reference_points, std::vector<Triangle_indices>& triangles,
-                         std::vector<int>& sheets, Edge_list& sharp) const
+  // Those of the vertices, of which some triangle has an area.
+  Positions usable_places(const Reference_input& reference, const std::string& name) const
   {
-    const int first = static_cast<int>(reference_points.size());
-    reference_points.insert(reference_points.end(), points.begin(), points.end());
-    sheets.assign(triangles.size(), 0);
-    const std::vector<Triangle_indices> of_faces = split_quads(faces.quads);
-    std::vector<char> is_outside(points.size(), false);
-    for (std::size_t f = 0; f < faces.quads.size(); ++f)
-      if (mesh.complex.boundary_faces[f].beyond < 0)
-        for (int v : faces.quads[f])
-          is_outside[v] = true;
-      else
-        for (std::size_t t : {2 * f, 2 * f + 1}) {
-          const Triangle_indices& vertices = of_faces[t];
-          triangles.push_back({vertices[0] + first, vertices[1] + first, vertices[2] + first});
-          sheets.push_back(faces.sheet(static_cast<int>(f)));
-        }
-    for (const std::array<int, 2>& e : sharp_boundary_edges(mesh.complex, points, angle_bound))
-      if (!is_outside[e[0]] && !is_outside[e[1]])
-        sharp.push_back({e[0] + first, e[1] + first});
+    Positions normalized = in_units(reference.points);
+    require_area(normalized, reference.triangles, name + " has no face with an area that is not lost against the mesh");
+    return normalized;
   }
 
   // Whether a vertex has a face with nothing beyond.
@@ -193,28 +219,38 @@ private:
 
   std::unique_ptr<const Reference_surface> own_reference(const Feature_parameters& features) const
   {
-    require_area(points, boundary_triangles(mesh.complex), "the boundary of the mesh has no face with an area");
+    require_area_of_boundary();
     return boundary_as_reference(mesh.complex, faces, points, features);
   }
 
-  Boundary_attachment attached(const std::vector<char>& is_frozen, bool fixed_boundary) const
+  // outside_is_given: a reference for the outer boundary
+  Boundary_attachment attached(bool outside_is_given, const std::vector<char>& is_frozen, bool fixed_boundary) const
   {
-    Boundary_attachment result = reference_is_given ? attached_to_given()
+    Boundary_attachment result = reference_is_given ? attached_to_given(outside_is_given)
                                                     : attach_to_own_boundary(mesh.complex, *surface);
     result.set_sheets(faces);
-    const std::vector<char> frozen = mesh.order.ordered(is_frozen), outside = vertices_outside();
-    for (std::size_t v = 0; v < frozen.size(); ++v)
-      if (frozen[v] || (fixed_boundary && outside[v]))
+    std::vector<char> stays = mesh.order.ordered(is_frozen);
+    const std::vector<char> outside = vertices_outside();
+    for (std::size_t v = 0; v < stays.size(); ++v)
+      stays[v] = stays[v] || (fixed_boundary && outside[v]);
+    mesh.complex.ties.unite(stays);
+    for (std::size_t v = 0; v < stays.size(); ++v)
+      if (stays[v])
         result.kind[v] = Vertex_kind::FIXED;
     return result;
   }
 
-  Boundary_attachment attached_to_given() const
+  Boundary_attachment attached_to_given(bool outside_is_given) const
   {
     if (faces.labels.size() < 2)
       return Attachment_by_matching(mesh.complex, points, *surface).attachment;
     // only what has nothing beyond is matched
     const int first = static_cast<int>(surface->points.size() - points.size());
+    if (!outside_is_given) {
+      Boundary_attachment result(mesh.complex);
+      attach_by_identity(mesh.complex, *surface, first, result);
+      return result;
+    }
     const Hexahedral_complex whole(points.size(), mesh.complex.hexahedra);
     Boundary_attachment result = Attachment_by_matching(whole, points, *surface, first).attachment;
     for (std::size_t v = 0; v < points.size(); ++v)
@@ -227,14 +263,21 @@ private:
   bool is_on_reference(double tolerance) const
   {
     for (std::size_t v = 0; reference_is_given && v < points.size(); ++v)
-      if (mesh.complex.is_on_boundary[v] &&
-          (surface->closest_point(points[v], Surface_point::no_hint, attachment.sheet[v]).point - points[v]).norm() >
-            tolerance)
-        return false;
+      if (mesh.complex.is_on_boundary[v]) {
+        const Surface_point foot = surface->closest_point(points[v], Surface_point::no_hint, attachment.sheet[v]);
+        if (surface->way(points[v], foot).norm() > tolerance)
+          return false;
+      }
     return true;
   }
 
-  static void require_area(const Positions& points, const std::vector<Triangle_indices>& triangles, const char* message)
+  void require_area_of_boundary() const
+  {
+    require_area(points, boundary_triangles(mesh.complex), "the boundary of the mesh has no face with an area");
+  }
+
+  static void require_area(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                           const std::string& message)
   {
     if (std::none_of(triangles.begin(), triangles.end(),
                      [&](const Triangle_indices& t) { return Triangle_surface::has_area(points, t); }))
@@ -252,8 +295,9 @@ private:
     return out.str();
   }
 
-  // Refuses a reference that cannot belong to the mesh: it would take long to find nothing.
-  void require_same_place(const Reference_input& reference) const
+  // Refuses a reference that cannot belong to the mesh: it would take long to find nothing. has_its_size: it is one for
+  // all of the outer boundary.
+  void require_same_place(const Reference_input& reference, const std::string& name, bool has_its_size) const
   {
     constexpr double largest_ratio = 3;    // of the diagonals
     constexpr double largest_offset = .25; // by which both boxes are enlarged, in larger diagonals
@@ -267,13 +311,13 @@ private:
         of_reference.extend(reference.points[v]);
     const double d = of_mesh.diagonal().stableNorm(), e = of_reference.diagonal().stableNorm();
     const Vector_3 margin = Vector_3::Constant(largest_offset * (std::max)(d, e));
-    const bool has_other_size = !(e <= largest_ratio * d && d <= largest_ratio * e);
+    const bool has_other_size = has_its_size && !(e <= largest_ratio * d && d <= largest_ratio * e);
     const bool is_elsewhere = ((of_mesh.min() - of_reference.max()).array() > 2 * margin.array()).any() ||
                               ((of_reference.min() - of_mesh.max()).array() > 2 * margin.array()).any();
     if (!has_other_size && !is_elsewhere)
       return;
     std::ostringstream message;
-    message << "the reference surface is ";
+    message << name << " is ";
     if (has_other_size)
       message << std::setprecision(4) << e / d << " times as large as the mesh";
     else

@@ -15,6 +15,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -26,6 +27,13 @@ struct Reference_input
   std::vector<Triangle_indices> triangles;
   Edge_list sharp;
   bool sharp_is_given = false; // by the user: no detection, nothing dropped
+};
+
+// In the place of the interface between two labels, the lower one first, as it came in.
+struct Interface_reference
+{
+  std::array<int, 2> labels;
+  Reference_input surface;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -145,7 +145,8 @@ private:
 
   std::vector<int> vertices_away(const Positions& positions) const
   {
-    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, model_.in_units(positions))
+    return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, model_.in_units(positions),
+                   mesh_.complex.ties)
       .vertices_away();
   }
 

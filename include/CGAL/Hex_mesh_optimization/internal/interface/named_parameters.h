@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Chosen_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/interface_references.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
@@ -23,6 +24,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -85,6 +87,8 @@ Chosen_parameters chosen_parameters(const NamedParameters& np, const std::vector
     };
   }
 
+  p.interface_references = interface_references(np);
+
   const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
   if (verbose)
     p.on_iteration = [](const Iteration& i) {
@@ -121,6 +125,15 @@ Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
                           "internal face " + std::to_string(result.faces.size()) + " has " + std::to_string(count) +
                             " vertices");
       result.faces.push_back(engine_indices<4>(face));
+    }
+  if constexpr (is_given<NamedParameters, internal_np::hex_periodic_vertices_t>)
+    for (const auto& [vertex, partner, translation] :
+         parameters::get_parameter(np, internal_np::hex_periodic_vertices)) {
+      const auto [a, b] = engine_indices<2>(std::array<unsigned long long, 2>{
+        {static_cast<unsigned long long>(vertex), static_cast<unsigned long long>(partner)}});
+      result.ties.push_back({a, b,
+                             Vector_3(CGAL::to_double(translation.x()), CGAL::to_double(translation.y()),
+                                      CGAL::to_double(translation.z()))});
     }
   return result;
 }

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -256,6 +257,57 @@ constexpr bool accepts_labels()
   return has_labels;
 }
 
+// boost::graph_traits does not compile for others.
+template <class T, class = void>
+struct Is_face_graph : std::false_type
+{};
+template <class T>
+struct Is_face_graph<
+  T, std::void_t<decltype(num_faces(std::declval<const T&>())), decltype(num_halfedges(std::declval<const T&>()))>>
+  : std::true_type
+{};
+
+// Pairs of two labels and a surface: a face graph, or a std::pair of points and triples of indices.
+template <class T>
+struct Is_soup : std::false_type
+{};
+template <class PointRange, class TriangleRange>
+struct Is_soup<std::pair<PointRange, TriangleRange>>
+  : std::bool_constant<is_range_of_readable_points<PointRange>() && is_range_of_cells<TriangleRange>()>
+{};
+
+template <class T, class = void>
+struct Is_interface_reference : std::false_type
+{};
+template <class T>
+struct Is_interface_reference<
+  T, std::void_t<decltype(static_cast<int>(std::get<0>(std::declval<const T&>().first))),
+                 decltype(static_cast<int>(std::get<1>(std::declval<const T&>().first))), typename T::second_type>>
+  : std::disjunction<Is_face_graph<typename T::second_type>, Is_soup<typename T::second_type>>
+{};
+
+// Two vertices and a translation.
+template <class T, class = void>
+struct Is_periodic_pair : std::false_type
+{};
+template <class T>
+struct Is_periodic_pair<T, std::void_t<typename std::tuple_element<2, T>::type>>
+  : std::bool_constant<std::tuple_size<T>::value == 3 && is_index_v<std::tuple_element_t<0, T>> &&
+                       is_index_v<std::tuple_element_t<1, T>> && Is_readable_point<std::tuple_element_t<2, T>>::value>
+{};
+
+// Of the values of a range, if it is given.
+template <class NamedParameters, class Tag, template <class...> class Is_value>
+constexpr bool is_range_if_given()
+{
+  if constexpr (is_given<NamedParameters, Tag>) {
+    if constexpr (Is_range<const Given<NamedParameters, Tag>>::value)
+      return Is_value<Value_of<const Given<NamedParameters, Tag>>>::value;
+    return false;
+  }
+  return true;
+}
+
 // Of optimize_hex_mesh(): the list of the mesh.
 template <class NamedParameters, class Vertex, class Hexahedron>
 constexpr bool accepts_parameters_of_mesh()
@@ -279,19 +331,21 @@ constexpr bool accepts_parameters_of_mesh()
                 "whose value converts to double");
   constexpr bool has_faces = are_internal_faces_if_given<NamedParameters>();
   static_assert(has_faces, "internal_faces() needs a range of ranges of four integers, the indices of vertices");
+  constexpr bool has_references =
+    is_range_if_given<NamedParameters, internal_np::hex_interface_references_t, Is_interface_reference>();
+  static_assert(
+    has_references,
+    "interface_references() needs a range of pairs, such as a std::map, of two labels (std::pair<int, int> or "
+    "std::array<int, 2>) and a surface: a model of FaceListGraph and HalfedgeListGraph, or a std::pair of two "
+    "ranges, points and triples of indices");
+  constexpr bool has_pairs =
+    is_range_if_given<NamedParameters, internal_np::hex_periodic_vertices_t, Is_periodic_pair>();
+  static_assert(has_pairs,
+                "periodic_vertices() needs a range of std::tuple of two indices of vertices and a translation "
+                "whose x(), y() and z() CGAL::to_double() converts");
   constexpr bool has_rest = accepts_labels<NamedParameters, Hexahedron>() && accepts_visitor<NamedParameters>();
-  return is_of_mesh && has_constraints && has_lengths && has_faces && has_rest;
+  return is_of_mesh && has_constraints && has_lengths && has_faces && has_references && has_pairs && has_rest;
 }
-
-// boost::graph_traits does not compile for others.
-template <class T, class = void>
-struct Is_face_graph : std::false_type
-{};
-template <class T>
-struct Is_face_graph<
-  T, std::void_t<decltype(num_faces(std::declval<const T&>())), decltype(num_halfedges(std::declval<const T&>()))>>
-  : std::true_type
-{};
 
 template <class TriangleMesh, class NamedParameters>
 constexpr bool accepts_surface_parameters()
@@ -371,9 +425,12 @@ constexpr bool accepts_parameters_of_new_mesh()
 {
   constexpr bool has_no_keys =
     !is_one_given<NamedParameters, internal_np::vertex_is_constrained_t, internal_np::hexahedron_label_map_t,
-                  internal_np::hex_internal_faces_t, internal_np::hex_target_edge_length_map_t>;
-  static_assert(has_no_keys, "vertex_is_constrained_map(), hexahedron_label_map(), internal_faces() and "
-                             "target_edge_length_map() need a mesh that exists: call optimize_hex_mesh() with them");
+                  internal_np::hex_internal_faces_t, internal_np::hex_interface_references_t,
+                  internal_np::hex_periodic_vertices_t, internal_np::hex_target_edge_length_map_t>;
+  static_assert(
+    has_no_keys,
+    "vertex_is_constrained_map(), hexahedron_label_map(), internal_faces(), "
+    "interface_references() and target_edge_length_map() need a mesh that exists: call optimize_hex_mesh() with them");
   constexpr bool has_visitor = accepts_visitor<NamedParameters>();
   return has_no_keys && has_visitor;
 }

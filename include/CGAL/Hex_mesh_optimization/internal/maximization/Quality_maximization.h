@@ -58,7 +58,7 @@ public:
     , parameters_(parameters)
     , samples_(samples)
     , relations_(relations)
-    , matrix_(vertex_couplings(complex))
+    , matrix_(vertex_couplings(complex), complex.ties)
     , assembly_(complex, matrix_)
     , batches_(complex)
     , floor_(batches_, parameters.floor)

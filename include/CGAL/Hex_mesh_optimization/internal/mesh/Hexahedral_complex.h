@@ -18,6 +18,8 @@
 
 #include <CGAL/Hex_mesh_optimization/Input_error.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Ties.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
@@ -31,11 +33,19 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// What divides a mesh.
+// Two vertices that move together: the partner is where the translation takes the vertex.
+struct Tie
+{
+  int vertex, partner;
+  Vector_3 translation;
+};
+
+// What divides a mesh, and what ties it together.
 struct Regions
 {
   std::vector<int> labels;               // of the hexahedra; none: all are in one region
   std::vector<std::array<int, 4>> faces; // within a region that belong to the boundary all the same, in any order
+  std::vector<Tie> ties = {};
 };
 
 // A directed edge is 2e when it runs from edges[e][0] to edges[e][1], else 2e+1.
@@ -65,6 +75,7 @@ public:
     , labels(regions.labels)
     , is_on_boundary(number_of_vertices, false)
     , is_used(number_of_vertices, false)
+    , ties(number_of_vertices, pairs(regions.ties))
   {
     number_edges();
     pair_faces(regions.faces);
@@ -97,9 +108,18 @@ public:
   std::vector<char> is_boundary_edge; // of an edge
   std::vector<char> is_singular_edge; // of an edge of the boundary: it is no manifold there
   std::vector<char> is_used;          // of a vertex: has a hexahedron
+  Ties ties;                          // of the vertices
   Grouped_array vertex_hexahedra, vertex_boundary_faces;
 
 private:
+  static std::vector<std::array<int, 2>> pairs(const std::vector<Tie>& ties)
+  {
+    std::vector<std::array<int, 2>> result;
+    for (const Tie& t : ties)
+      result.push_back({t.vertex, t.partner});
+    return result;
+  }
+
   void number_edges()
   {
     using Key = std::pair<std::uint64_t, std::uint32_t>; // (edge, 12 hexahedron + local edge)

@@ -90,6 +90,8 @@ public:
         v = new_vertex_[v];
       result.faces.push_back(face);
     }
+    for (const Tie& t : given.ties)
+      result.ties.push_back({new_vertex_[t.vertex], new_vertex_[t.partner], t.translation});
     return result;
   }
 

@@ -41,6 +41,7 @@ std::vector<double> hold_back(const Hexahedral_complex& complex, const Positions
           is_held[v] = are_some_held = true;
     if (!are_some_held)
       break;
+    complex.ties.unite(is_held);
     const bool is_last = ends_at_rest && round + 2 >= rounds;
     for (std::size_t v = 0; v < step.size(); ++v)
       if (is_held[v]) {

@@ -52,6 +52,7 @@ public:
     , penalty_weight_(2 * complex.edges.size(), 1.0)
   {
     system_.is_fixed = is_fixed;
+    system_.ties = complex.ties;
     for (std::size_t e = 0; e < edge_slots_.size(); ++e)
       edge_slots_[e] = {system_.slot(complex.edges[e][0], complex.edges[e][1]),
                         system_.slot(complex.edges[e][1], complex.edges[e][0])};

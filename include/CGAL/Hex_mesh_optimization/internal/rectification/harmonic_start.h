@@ -34,6 +34,8 @@ inline void harmonic_start(const Hexahedral_complex& complex, const Boundary_att
   }
   for (std::size_t v = 0; v < points.size(); ++v)
     system.is_fixed[v] = attachment.kind[v] != Vertex_kind::INTERIOR;
+  system.ties = complex.ties;
+  system.ties.unite(system.is_fixed);
   const double tolerance = 1e-3;
   const int iterations = 1000;
   system.solve(points, tolerance, iterations);

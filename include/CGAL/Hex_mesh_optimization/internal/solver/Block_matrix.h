@@ -15,6 +15,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Conflict_free_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Ties.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
@@ -22,6 +23,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,8 +43,11 @@ public:
   };
 
   // couplings: for each row the others that it has a block with, in any order and as often as you like; a row has one
-  // with every row that has one with it.
-  explicit Block_matrix(const Grouped_array& couplings) : diagonal(couplings.size()), offsets_(couplings.size() + 1, 0)
+  // with every row that has one with it. ties: of rows whose unknowns are the same.
+  explicit Block_matrix(const Grouped_array& couplings, const Ties& ties = Ties())
+    : diagonal(couplings.size())
+    , offsets_(couplings.size() + 1, 0)
+    , ties_(ties)
   {
     std::vector<int> row;
     ranges_ = std::make_unique<Conflict_free_ranges>(size(), size(), rows_of_range,
@@ -61,6 +66,8 @@ public:
       offsets_[v + 1] = columns_.size();
     }
     entries_.resize(entries_of_block * columns_.size() + 1); // as the last row is read with one entry more
+    if (!ties.is_empty())
+      reduced_ = std::make_unique<Block_matrix>(couplings_of_leaders());
   }
 
   std::size_t size() const { return diagonal.size(); }
@@ -109,9 +116,11 @@ public:
   // Lᵀ), in the form of Eisenstat (1981): with d' = (D + Lᵀ) d, (D + L)⁻¹ A d = d + (D + L)⁻¹ Lᵀ d costs no more than A
   // d. Rows of one color come before those of the next, so that the sweeps run in parallel and do not depend on the
   // number of threads. Returns the iterations. The Hessian is a model: single precision is enough, and halves the
-  // traffic.
+  // traffic. Rows that are tied have the freedom of their leader.
   int solve(const Positions& b, const Freedoms& freedoms, double tolerance, int maximum_iterations, Positions& x) const
   {
+    if (reduced_)
+      return solve_reduced(b, freedoms, tolerance, maximum_iterations, x);
     const std::size_t n = size();
     double largest = 0; // so that nothing overflows
     for (std::size_t v = 0; v < n; ++v)
@@ -199,6 +208,45 @@ private:
     Vector operator*(const Vector& x) const { return columns[0] * x[0] + columns[1] * x[1] + columns[2] * x[2]; }
   };
 
+  Grouped_array couplings_of_leaders() const
+  {
+    std::vector<std::array<int, 2>> pairs;
+    for (std::size_t v = 0; v < size(); ++v)
+      for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
+        const int i = ties_.leader(static_cast<int>(v)), j = ties_.leader(columns_[k]);
+        if (i != j)
+          pairs.insert(pairs.end(), {{i, j}, {j, i}});
+      }
+    return Grouped_array(
+      size(), pairs.size(), [&](std::size_t k) { return pairs[k][0]; }, [&](std::size_t k) { return pairs[k][1]; });
+  }
+
+  // With x = P y, where y are the unknowns of the leaders, solves Pᵀ A P y = Pᵀ b.
+  int solve_reduced(const Positions& b, Freedoms freedoms, double tolerance, int maximum_iterations, Positions& x) const
+  {
+    reduced_->set_zero();
+    Positions sums(size(), Vector_3::Zero());
+    for (std::size_t v = 0; v < size(); ++v) {
+      const int i = ties_.leader(static_cast<int>(v));
+      reduced_->diagonal[i] += diagonal[v];
+      sums[i] += b[v];
+      if (i != static_cast<int>(v))
+        freedoms[v] = Freedom::nowhere();
+      for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k) {
+        const int j = ties_.leader(columns_[k]);
+        const float* block = entries_.data() + entries_of_block * k;
+        Matrix_3 B;
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c)
+            B(r, c) = block[3 * r + c];
+        reduced_->add(i, j, i == j ? Matrix_3(B + B.transpose()) : B);
+      }
+    }
+    const int iterations = reduced_->solve(sums, freedoms, tolerance, maximum_iterations, x);
+    ties_.follow(x);
+    return iterations;
+  }
+
   // The order of the sweeps.
   bool is_before(int i, int j) const
   {
@@ -245,6 +293,8 @@ private:
   std::vector<int> columns_;                           // rows that come later than their own
   std::vector<float> entries_;                         // of the blocks, row by row
   std::unique_ptr<const Conflict_free_ranges> ranges_; // of rows
+  const Ties ties_;
+  std::unique_ptr<Block_matrix> reduced_; // for the leaders; null without ties
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

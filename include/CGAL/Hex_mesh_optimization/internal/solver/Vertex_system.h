@@ -14,6 +14,7 @@
 // scalar couplings, equal in x, y and z, plus a 3×3 block at boundary vertices.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Ties.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/conjugate_gradients.h>
@@ -79,7 +80,7 @@ public:
 
   // Solves for the minimizer by conjugate gradients with the 3×3 diagonal blocks
   // as preconditioner, from x as start. Stops when the residual has dropped by
-  // `tolerance` relative to the right-hand side. Returns the iterations.
+  // `tolerance` relative to the right-hand side. Returns the iterations. Of tied rows all are fixed or none.
   int solve(Positions& x, double tolerance, int maximum_iterations) const
   {
     const std::size_t n = size();
@@ -89,13 +90,19 @@ public:
                      ? Matrix_3(Matrix_3::Zero())
                      : Matrix_3((blocks[v] + diagonal[v] * Matrix_3::Identity()).inverse());
     });
+    ties.average(inverse);
     double scale = 0;
     for (std::size_t v = 0; v < n; ++v)
       // positions are of the order of the number of edges across; what must be
       // resolved is a fraction of one edge, whose length is the unit
       scale += is_fixed[v] ? 0 : diagonal[v];
-    return conjugate_gradients(Preconditioned{*this, inverse}, right,
-                               {tolerance * tolerance * scale, maximum_iterations}, x);
+    const Conjugate_gradients_parameters parameters{tolerance * tolerance * scale, maximum_iterations};
+    if (ties.is_empty())
+      return conjugate_gradients(Preconditioned{*this, inverse}, right, parameters, x);
+    // What is not the same for tied rows is projected away: their steps are the same.
+    Positions mean = right;
+    ties.average(mean);
+    return conjugate_gradients(Preconditioned{*this, inverse}, mean, parameters, x);
   }
 
   // xᵀAx − 2bᵀx
@@ -117,7 +124,11 @@ private:
     const Vertex_system& system;
     const std::vector<Matrix_3>& inverse; // of the diagonal blocks; 0 in fixed rows
 
-    void multiply(const Positions& x, Positions& y) const { system.multiply(x, y); }
+    void multiply(const Positions& x, Positions& y) const
+    {
+      system.multiply(x, y);
+      system.ties.average(y);
+    }
     Vector_3 precondition(std::size_t v, const Vector_3& r) const { return inverse[v] * r; }
     bool is_fixed(std::size_t v) const { return system.is_fixed[v]; }
   };
@@ -141,6 +152,7 @@ public:
   std::vector<Matrix_3> blocks;
   Positions right;
   std::vector<char> is_fixed; // rows whose position is given
+  Ties ties;                  // of rows
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -17,6 +17,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Rims.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Smooth_normals.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_adjacency.h>
@@ -46,11 +47,12 @@ class Reference_surface : public Triangle_surface
 {
 public:
   // sharp: the edges that can belong to features. keep_all: they were named by the user, none is noise. its_sheets: as for
-  // Triangle_surface. singular: vertices that are corners, whether or not curves meet there.
+  // Triangle_surface, as are its_rims. singular: vertices that are corners, whether or not curves meet there.
   Reference_surface(const Positions& its_points, std::vector<Triangle_indices> its_triangles, Edge_list sharp,
                     bool keep_all, const Feature_parameters& parameters, std::vector<int> its_sheets = {},
-                    std::vector<int> singular = {})
+                    std::vector<int> singular = {}, Rims its_rims = {})
     : Reference_surface(its_points, std::move(its_triangles), std::move(its_sheets), std::move(singular),
+                        std::move(its_rims),
                         Feature_curve_tracer(its_points, its_triangles, std::move(sharp), keep_all, parameters))
   {}
 
@@ -81,8 +83,9 @@ public:
 private:
   // features: of the points and triangles
   Reference_surface(const Positions& its_points, std::vector<Triangle_indices>&& its_triangles,
-                    std::vector<int>&& its_sheets, std::vector<int>&& singular, const Feature_curve_tracer& features)
-    : Triangle_surface(its_points, std::move(its_triangles), std::move(its_sheets))
+                    std::vector<int>&& its_sheets, std::vector<int>&& singular, Rims&& its_rims,
+                    const Feature_curve_tracer& features)
+    : Triangle_surface(its_points, std::move(its_triangles), std::move(its_sheets), std::move(its_rims))
     , curves(curves_through(features.curves(), its_points))
     , corners(united(features.corners(), singular))
     , curve_ends_(ends_of(features.curves()))

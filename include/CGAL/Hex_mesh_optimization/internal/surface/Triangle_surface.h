@@ -17,6 +17,7 @@
 // another that is close, or that meets it.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Rims.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/aabb.h>
@@ -39,10 +40,12 @@ class Triangle_surface
 {
 public:
   // its_sheets: of the triangles, counted from 0; none: all are in one.
-  Triangle_surface(Positions its_points, std::vector<Triangle_indices> its_triangles, std::vector<int> its_sheets = {})
+  Triangle_surface(Positions its_points, std::vector<Triangle_indices> its_triangles, std::vector<int> its_sheets = {},
+                   Rims its_rims = {})
     : points(std::move(its_points))
     , triangles(std::move(its_triangles))
     , sheets(std::move(its_sheets))
+    , rims(std::move(its_rims))
   {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       if (has_area(points, triangles[t]))
@@ -121,11 +124,33 @@ public:
     sheets_[sheet].tree->traversal(box, traversal);
   }
 
+  // Of the way from its foot, a closest point, to the query what counts: all of it, but where the surface goes on beyond a
+  // rim.
+  Vector_3 way(const Vector_3& query, const Surface_point& foot) const
+  {
+    const Vector_3 all = query - foot.point;
+    const int at_rim = rims.triangle_at(foot);
+    if (at_rim == Rims::none)
+      return all;
+    if (rims.beyond == Beyond_rim::ANYTHING)
+      return Vector_3::Zero();
+    const Vector_3 normal = plane_normal(at_rim);
+    return normal.dot(all) * normal;
+  }
+
+  // Of a triangle with an area.
+  Vector_3 plane_normal(std::size_t triangle) const
+  {
+    const Vector_3& a = corner(triangle, 0);
+    return (corner(triangle, 1) - a).cross(corner(triangle, 2) - a).normalized();
+  }
+
   const Vector_3& corner(std::size_t triangle, int k) const { return points[triangles[triangle][k]]; }
 
   const Positions points;
   const std::vector<Triangle_indices> triangles;
   const std::vector<int> sheets; // of the triangles, or none
+  const Rims rims;
 
 private:
   using Tree = CGAL::AABB_tree<aabb::Triangle_traits>;

@@ -70,7 +70,7 @@ public:
     : complex_(complex)
     , parameters_(parameters)
     , samples_(samples)
-    , matrix_(vertex_couplings(complex))
+    , matrix_(vertex_couplings(complex), complex.ties)
     , assembly_(complex, matrix_)
     , hexahedra_(complex, assembly_, lengths)
     , boundary_(samples, distance, complex.number_of_vertices())
@@ -144,6 +144,17 @@ private:
       for (const std::size_t end = near.size(); begin < end; ++begin)
         for (int h : complex_.vertex_hexahedra[near[begin]])
           add(h);
+    if (!complex_.ties.is_empty()) {
+      std::vector<char> moves(is_passive_.size());
+      for (std::size_t v = 0; v < moves.size(); ++v)
+        moves[v] = !is_passive_[v];
+      complex_.ties.unite(moves);
+      for (std::size_t v = 0; v < moves.size(); ++v)
+        if (moves[v] && is_passive_[v]) {
+          is_passive_[v] = false;
+          near.push_back(static_cast<int>(v));
+        }
+    }
     std::vector<int> active;
     for (int v : near)
       active.insert(active.end(), complex_.vertex_hexahedra[v].begin(), complex_.vertex_hexahedra[v].end());
