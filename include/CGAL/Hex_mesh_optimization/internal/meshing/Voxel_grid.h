@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,14 @@ public:
     for (int d = 0; d < 3; ++d)
       product *= (planes_[d].back() - planes_[d].front()) / cells(d);
     return std::cbrt(product);
+  }
+  double least_spacing() const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<double>& planes : planes_)
+      for (std::size_t i = 0; i + 1 < planes.size(); ++i)
+        least = (std::min)(least, planes[i + 1] - planes[i]);
+    return least;
   }
   std::size_t stride(int axis) const { return strides_[axis]; }
 

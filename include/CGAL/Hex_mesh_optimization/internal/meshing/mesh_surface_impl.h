@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_check.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/insert_layers.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
@@ -52,11 +53,9 @@ CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across)
 {
   require_volume(surface);
-  const Eigen::AlignedBox3d box = bounding_box(surface.points, surface.triangles);
-  require_countable_cells(box, spacing);
+  const Triangle_surface solid(surface.points, surface.triangles);
   const std::vector<Wall_distance> walls = wall_distances(surface.points, surface.triangles, spacing);
-  const Voxel_grid grid = solid_voxels(Triangle_surface(surface.points, surface.triangles), walls,
-                                       Voxel_grid(box, spacing));
+  const Voxel_grid grid = solid_voxels(solid, walls, even_grid(solid, spacing));
   require_cells_inside(grid, spacing);
   Hexahedra mesh = voxel_hexahedra(grid);
   return {std::move(mesh.points),

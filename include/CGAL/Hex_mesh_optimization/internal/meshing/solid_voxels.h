@@ -134,6 +134,14 @@ inline Eigen::AlignedBox3d bounding_box(const Positions& points, const std::vect
   return box;
 }
 
+// Of the box around the surface, evenly divided, with no cell inside.
+inline Voxel_grid even_grid(const Triangle_surface& surface, double spacing)
+{
+  const Eigen::AlignedBox3d box = bounding_box(surface.points, surface.triangles);
+  require_countable_cells(box, spacing);
+  return Voxel_grid(box, spacing);
+}
+
 // Closed, oriented outwards, in the box of the grid. What is returned may have no cell inside.
 // walls: those of the surface, about as dense as the cells.
 inline Voxel_grid solid_voxels(const Triangle_surface& surface, const std::vector<Wall_distance>& walls,

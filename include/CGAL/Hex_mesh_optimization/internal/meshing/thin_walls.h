@@ -25,7 +25,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // The cells inside that the way from a place to the opposite wall passes, in their order.
 inline std::vector<std::size_t> cells_behind(const Wall_distance& p, const Voxel_grid& grid)
 {
-  const int steps = static_cast<int>(std::ceil(8 * p.distance / grid.mean_spacing())) + 1;
+  const int steps = static_cast<int>(std::ceil(4 * p.distance / grid.least_spacing())) + 1;
   std::vector<std::size_t> result;
   for (int i = 0; i < steps; ++i) {
     const std::size_t cell = grid.cell_of(p.place + (i + .5) / steps * p.distance * p.inward);
