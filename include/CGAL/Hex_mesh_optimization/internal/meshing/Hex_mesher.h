@@ -146,20 +146,25 @@ private:
     walls_ = wall_distances(reference_.points, reference_.triangles, density * h);
   }
 
-  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one.
+  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one: the first that
+  // loses no wall, or else the one that loses least.
   void resolve(Voxel_grid& grid, double& h)
   {
     const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
-    if (euler_characteristic(grid) == wanted)
+    if (euler_characteristic(grid) == wanted && lost_part(walls_, grid) <= parameters_.tolerated_thin_area)
       return;
     const double h_before = h;
-    for (double factor = .97; std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
+    double least = std::numeric_limits<double>::infinity();
+    for (double factor = .97; least > 0 && std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
       Voxel_grid other = voxels(factor * h_before);
-      if (euler_characteristic(other) == wanted) {
+      if (euler_characteristic(other) != wanted)
+        continue;
+      const double lost = lost_part(walls_, other);
+      if (lost < least) {
+        least = lost;
         grid = std::move(other);
         h = factor * h_before;
         is_refined_ = true;
-        return;
       }
     }
   }

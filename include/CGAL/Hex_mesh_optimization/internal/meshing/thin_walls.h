@@ -48,6 +48,18 @@ inline std::vector<std::size_t> thin_triangles(const std::vector<Wall_distance>&
   return result;
 }
 
+// The part of the surface with no cell behind it, up to the opposite wall.
+inline double lost_part(const std::vector<Wall_distance>& places, const Voxel_grid& grid)
+{
+  double lost = 0, total = 0;
+  for (const Wall_distance& p : places) {
+    total += p.area;
+    if (p.distance < 2 * grid.mean_spacing() && cells_behind(p, grid).empty())
+      lost += p.area;
+  }
+  return lost / total;
+}
+
 // Walls that fit between the centers of cells keep the cells in their middle, unless they are thinner than `least` cells.
 inline void keep_thin_walls(const std::vector<Wall_distance>& places, double least, Voxel_grid& grid)
 {
