@@ -66,6 +66,7 @@ void for_parts(const Vector_3& a, const Vector_3& b, const Vector_3& c, double s
   const double most_parts = 64; // along an edge
   const double slender = .45; // twice the area over the squared longest edge: .5 with a right angle between equal sides
   const double needle = .25;  // the shortest edge over the longest
+  const double least_area = 1 / 16.; // of the slices of a needle on average, in squared spacings
   const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
   const double longest = (std::max)({ab, bc, ca}), shortest = (std::min)({ab, bc, ca});
   const double area = (b - a).cross(c - a).norm() / 2;
@@ -76,12 +77,15 @@ void for_parts(const Vector_3& a, const Vector_3& b, const Vector_3& c, double s
   else if (shortest < needle * longest) {
     if (bc != shortest)
       return for_parts(b, c, a, spacing, visit);
-    for (int i = 0; i < n; ++i) { // from a to the shortest edge
-      const double height = (i + .5) / n;
+    // from a to the shortest edge, and fewer where neighbors are as slender
+    const double most_slices = std::ceil(area / (least_area * spacing * spacing));
+    const int slices = static_cast<int>((std::max)(1.0, (std::min)(double(n), most_slices)));
+    for (int i = 0; i < slices; ++i) {
+      const double height = (i + .5) / slices;
       const int m = static_cast<int>((std::max)(1.0, std::ceil(height * shortest / spacing)));
       for (int j = 0; j < m; ++j) {
         const double across = (j + .5) / m;
-        visit(Vector_3(a + height * ((1 - across) * (b - a) + across * (c - a))), area * 2 * height / n / m);
+        visit(Vector_3(a + height * ((1 - across) * (b - a) + across * (c - a))), area * 2 * height / slices / m);
       }
     }
   }
