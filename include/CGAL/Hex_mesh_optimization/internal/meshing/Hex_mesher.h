@@ -147,15 +147,16 @@ private:
   }
 
   // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one: the first that
-  // loses no wall, or else the one that loses least.
+  // loses next to no wall, or else the one that loses least.
   void resolve(Voxel_grid& grid, double& h)
   {
     const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
     if (euler_characteristic(grid) == wanted && lost_part(walls_, grid) <= parameters_.tolerated_thin_area)
       return;
+    const double tolerated = 1e-3; // part of the surface
     const double h_before = h;
     double least = std::numeric_limits<double>::infinity();
-    for (double factor = .97; least > 0 && std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
+    for (double factor = .97; least > tolerated && std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
       Voxel_grid other = voxels(factor * h_before);
       if (euler_characteristic(other) != wanted)
         continue;
