@@ -98,6 +98,7 @@ inline void add_common_options(CLI::App& app, Common_options& o)
     ->type_name("FILE")
     ->check(CLI::Validator([](const std::string&) { return Report_page::reason_of_absence(); }, ""));
   app.add_flag("--quiet", o.quiet, "print nothing but errors");
+  app.set_version_flag("--version", CGAL_HEX_MESH_OPTIMIZATION_VERSION, "print the version of the package and exit");
 }
 
 // Adds them to those of one program. Numbers that are not finite become null.
@@ -534,7 +535,7 @@ int run_program(CLI::App& app, int argc, char** argv, const Run& run)
     app.parse(argc, argv);
   }
   catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : USAGE_ERROR; // 0: --help
+    return app.exit(error) == 0 ? 0 : USAGE_ERROR; // 0: --help, --version
   }
 
   try {

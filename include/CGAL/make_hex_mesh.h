@@ -90,8 +90,9 @@ using Enable_for_new_ranges =
 /*!
  * \ingroup PkgHexMeshOptimizationMeshing
  *
- * makes a hexahedral mesh of the volume that a triangle surface bounds: the cells of a grid inside it, layers of hexahedra
- * behind the patches of its boundary, and `CGAL::optimize_hex_mesh()` with the surface as reference.
+ * makes a hexahedral mesh of the volume that a triangle surface bounds: the cells inside it of a grid that lies along its
+ * flat parts, layers of hexahedra behind the patches of its boundary, and `CGAL::optimize_hex_mesh()` with the surface as
+ * reference.
  *
  * Faces of the boundary are told to which patch between the feature curves of the surface they belong. A layer is inserted
  * behind patches whose faces need it; at a sharp convex edge the layers of both patches cross, so that one hexahedron
@@ -123,7 +124,7 @@ using Enable_for_new_ranges =
  *   \cgalParamNEnd
  *   \cgalParamNBegin{grid_spacing}
  *     \cgalParamDescription{the length of the cells of the grid, in the place of `number_of_hexahedra`: it is not changed
- *                           for thin parts}
+ *                           for thin parts. Between flat parts it is what divides their distance evenly}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{what makes the number of hexahedra}
  *   \cgalParamNEnd

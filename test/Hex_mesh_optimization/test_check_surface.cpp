@@ -122,4 +122,21 @@ TEST(repair_surface, fills_holes_and_turns_components)
   }
 }
 
+TEST(repair_surface, leaves_out_a_vertex_that_was_pulled_through_the_opposite_side)
+{
+  Surface surface = surface_mesh(surface_of(Generated_mesh([](auto& p, auto& h) { HMO::make_ring(p, h, 18, 2); })));
+  auto farthest = *surface.vertices().begin();
+  for (const auto v : surface.vertices())
+    if (surface.point(v).x() > surface.point(farthest).x())
+      farthest = v;
+  const Surface_point_3 p = surface.point(farthest);
+  surface.point(farthest) = Surface_point_3(-2 * p.x(), p.y(), p.z() + .1);
+  const std::size_t number = surface.number_of_vertices();
+  ASSERT_TRUE(contains(refusal(surface), "intersects itself"));
+  repair(surface);
+  surface.collect_garbage();
+  EXPECT_EQ(refusal(surface), "");
+  EXPECT_EQ(surface.number_of_vertices(), number - 1);
+}
+
 } // namespace

@@ -84,6 +84,21 @@ TEST(make_hex_mesh, of_a_box_is_the_grid)
   EXPECT_NEAR(status.spacing, .2, 1e-12);
 }
 
+TEST(make_hex_mesh, of_a_turned_solid_with_flat_sides_is_a_grid_along_them)
+{
+  for (double turn : {0., .7}) {
+    const Reference_input surface = surface_of(Generated_mesh([](auto& p, auto& h) { HMO::make_t_shape(p, h, 1); }),
+                                               turn);
+    Mesh result;
+    const auto status = CGAL::make_hex_mesh(surface_mesh(surface), result.points, result.hexahedra,
+                                            CGAL::parameters::grid_spacing(.29));
+    EXPECT_NEAR(status.after.minimum, 1, 1e-6);
+    EXPECT_LT(status.deviation.maximum_relative, 1e-9);
+    for (const Vector_3& corner : surface.points)
+      EXPECT_LT(distance_to_nearest(result, corner), 1e-9);
+  }
+}
+
 TEST(make_hex_mesh, as_a_linear_cell_complex_is_the_same)
 {
   const Surface surface = surface_mesh(surface_of(cylinder(8), .4));

@@ -115,4 +115,10 @@ TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)
   EXPECT_EQ(run("missing.off out.mesh"), 3);
 }
 
+TEST_F(Meshing_program, tells_its_version)
+{
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_EQ(text("stdout"), CGAL_HEX_MESH_OPTIMIZATION_VERSION "\n");
+}
+
 } // namespace

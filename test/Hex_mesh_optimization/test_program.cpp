@@ -636,4 +636,10 @@ TEST_F(Program, writes_the_best_so_far_when_interrupted)
   EXPECT_EQ(read("out.mesh").hexahedra.size(), 64u);
 }
 
+TEST_F(Program, tells_its_version)
+{
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_EQ(text("stdout"), CGAL_HEX_MESH_OPTIMIZATION_VERSION "\n");
+}
+
 } // namespace

@@ -22,22 +22,86 @@
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/iterator.h>
 #include <CGAL/version.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization {
 
+namespace internal {
+
+template <class TriangleMesh>
+void fill_hole(TriangleMesh& tmesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border)
+{
+#if CGAL_VERSION_NR >= 1050600000
+  Polygon_mesh_processing::triangulate_hole(tmesh, border);
+#else
+  Polygon_mesh_processing::triangulate_hole(tmesh, border, CGAL::Emptyset_iterator());
+#endif
+}
+
+// The vertex whose faces take part in the most intersections is left out, and the hole filled, as long as that makes
+// intersections fewer: so a vertex that was pulled through the opposite side goes, and that side stays. The surface is
+// closed.
+template <class TriangleMesh>
+void leave_out_intersecting_vertices(TriangleMesh& tmesh)
+{
+  namespace PMP = Polygon_mesh_processing;
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  const auto intersections = [](const TriangleMesh& of) {
+    std::vector<std::pair<Face, Face>> result;
+    PMP::self_intersections(of, std::back_inserter(result));
+    return result;
+  };
+  constexpr int most_vertices = 100; // more are no accident
+  std::vector<std::pair<Face, Face>> pairs = intersections(tmesh);
+  for (int i = 0; i < most_vertices && !pairs.empty(); ++i) {
+    std::map<Vertex, std::size_t> number;
+    for (const auto& pair : pairs) {
+      std::set<Vertex> around; // a pair counts once
+      for (const Face f : {pair.first, pair.second})
+        for (const Vertex v : CGAL::vertices_around_face(CGAL::halfedge(f, tmesh), tmesh))
+          around.insert(v);
+      for (const Vertex v : around)
+        ++number[v];
+    }
+    const Vertex worst = std::max_element(number.begin(), number.end(), [](const auto& a, const auto& b) {
+                           return a.second < b.second;
+                         })->first;
+    TriangleMesh other = tmesh;
+    const auto hole = CGAL::Euler::remove_center_vertex(CGAL::halfedge(worst, other), other);
+    CGAL::Euler::make_hole(hole, other);
+    fill_hole(other, hole);
+    std::vector<std::pair<Face, Face>> left = CGAL::is_closed(other) ? intersections(other) : pairs;
+    if (left.size() >= pairs.size())
+      return;
+    tmesh = std::move(other);
+    pairs = std::move(left);
+  }
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgHexMeshOptimizationMeshing
  *
- * stitches borders of a triangle surface that coincide, removes faces without an area, fills holes, removes
- * self-intersections with the faces around them where it can fill what is missing, and orients the components so that they bound
+ * stitches borders of a triangle surface that coincide, removes faces without an area, fills holes, leaves out vertices
+ * that were pulled through the opposite side, removes other self-intersections with the faces around them where it can fill
+ * what is missing, and orients the components so that they bound
  * a volume. Whether that went well is for `check_surface()` to say.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph` with an internal point
@@ -56,11 +120,9 @@ void repair_surface(TriangleMesh& tmesh)
   std::vector<Halfedge> borders;
   PMP::extract_boundary_cycles(tmesh, std::back_inserter(borders));
   for (const Halfedge h : borders)
-#if CGAL_VERSION_NR >= 1050600000
-    PMP::triangulate_hole(tmesh, h);
-#else
-    PMP::triangulate_hole(tmesh, h, CGAL::Emptyset_iterator());
-#endif
+    internal::fill_hole(tmesh, h);
+  if (CGAL::is_closed(tmesh))
+    internal::leave_out_intersecting_vertices(tmesh);
   if (CGAL::is_closed(tmesh) && PMP::does_self_intersect(tmesh))
     PMP::experimental::remove_self_intersections(tmesh);
   if (CGAL::is_closed(tmesh))

@@ -34,7 +34,8 @@ struct Labelled
     : surface(scaled(surface_of(generated, turn), spacing))
     , partition(surface.points, surface.triangles, sharp_edges(surface.points, surface.triangles, 45), false, {})
     , mesh(voxel_hexahedra(solid_voxels(Triangle_surface(surface.points, surface.triangles),
-                                        wall_distances(surface.points, surface.triangles, 1), 1)))
+                                        wall_distances(surface.points, surface.triangles, 1),
+                                        even_grid(Triangle_surface(surface.points, surface.triangles), 1))))
   {
     const Boundary_fans fans(mesh, opposite_sides(mesh));
     const Boundary_labels labels(mesh, fans, partition);

@@ -17,8 +17,8 @@ namespace {
 
 Voxel_grid voxels(const Reference_input& surface, double spacing)
 {
-  return solid_voxels(Triangle_surface(surface.points, surface.triangles),
-                      wall_distances(surface.points, surface.triangles, spacing), spacing);
+  const Triangle_surface solid(surface.points, surface.triangles);
+  return solid_voxels(solid, wall_distances(surface.points, surface.triangles, spacing), even_grid(solid, spacing));
 }
 
 TEST(solid_voxels, divide_a_box_evenly)

@@ -40,6 +40,9 @@ TEST(thin_walls, are_lost_where_they_are_much_thinner_than_a_cell)
   keep_thin_walls(wall(1.6, .2), .25, grid);
   EXPECT_EQ(grid.number_inside(), 0u);
   EXPECT_EQ(thin_triangles(wall(1.6, .2), grid, 1).size(), 16u);
+  EXPECT_EQ(lost_part(wall(1.6, .2), grid), 1);
+  grid.is_inside[grid.index(2, 2, 1)] = true;
+  EXPECT_EQ(lost_part(wall(1.6, .2), grid), 15. / 16);
 }
 
 TEST(thin_walls, are_those_with_fewer_cells_behind_them_than_wanted)

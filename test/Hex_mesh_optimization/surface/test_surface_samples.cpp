@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <set>
 #include <vector>
@@ -106,6 +108,25 @@ TEST(Surface_samples, are_spread_sheet_by_sheet)
   EXPECT_EQ(vertices, expected);
   for (int s = 0; s < 3; ++s)
     EXPECT_NEAR(areas[s], expected_areas[s], 1e-12);
+}
+
+// As they are, a needle would be divided into 64² parts, each as slender.
+TEST(Surface_samples, divide_needles_along_their_length)
+{
+  const Vector_3 a(0, 0, 0), b(64, .1, 0), c(64, 0, 0);
+  for (const auto& t : {std::array<Vector_3, 3>{a, b, c}, {b, c, a}, {c, a, b}, {a, c, Vector_3(30, .1, 0)}}) {
+    std::vector<double> along;
+    double sum = 0;
+    for_parts(t[0], t[1], t[2], 1, [&](const Vector_3& place, double area) {
+      along.push_back(place[0]);
+      sum += area;
+    });
+    EXPECT_NEAR(sum, 3.2, 1e-9);
+    EXPECT_LT(along.size(), 150u);
+    std::sort(along.begin(), along.end());
+    for (std::size_t i = 0; i + 1 < along.size(); ++i)
+      EXPECT_LT(along[i + 1] - along[i], 2);
+  }
 }
 
 } // namespace

@@ -22,6 +22,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/place_vertices.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
@@ -48,13 +49,11 @@ public:
     : parameters_(parameters)
     , reference_(reference)
     , surface_(reference.points, reference.triangles)
+    , box_(bounding_box(reference.points, reference.triangles))
   {
-    for (const Triangle_indices& t : reference.triangles)
-      for (int v : t)
-        box_.extend(reference.points[v]);
     if (parameters.spacing > 0) {
       measure_walls(parameters.spacing);
-      make(solid_voxels(surface_, walls_, parameters.spacing), parameters.spacing);
+      make(voxels(parameters.spacing), parameters.spacing);
       return;
     }
     // the volume in cells, and a layer on a surface of steps, which is larger
@@ -64,7 +63,7 @@ public:
     h = thin_spacing(h);
     double best = h, miss_of_best = std::numeric_limits<double>::infinity();
     for (int attempt = 0; attempt < parameters.most_attempts; ++attempt) {
-      Voxel_grid grid = solid_voxels(surface_, walls_, h);
+      Voxel_grid grid = voxels(h);
       resolve(grid, h);
       make(grid, h);
       if (is_refined_) // for the topology: there are as many as it takes
@@ -77,7 +76,7 @@ public:
       if (std::abs(ratio - 1) <= parameters.number_tolerance)
         break;
       if (attempt + 1 == parameters.most_attempts && best != h)
-        make(solid_voxels(surface_, walls_, best), best);
+        make(voxels(best), best);
       h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
     }
   }
@@ -134,26 +133,39 @@ private:
     return h * std::pow(excess, -1 / 2.5);
   }
 
+  Voxel_grid voxels(double h) const
+  {
+    require_countable_cells(box_, h);
+    return solid_voxels(surface_, walls_,
+                        Voxel_grid(grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)));
+  }
+
   void measure_walls(double h)
   {
     const double density = .7; // in cells
     walls_ = wall_distances(reference_.points, reference_.triangles, density * h);
   }
 
-  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one.
+  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one: the first that
+  // loses next to no wall, or else the one that loses least.
   void resolve(Voxel_grid& grid, double& h)
   {
     const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
-    if (euler_characteristic(grid) == wanted)
+    if (euler_characteristic(grid) == wanted && lost_part(walls_, grid) <= parameters_.tolerated_thin_area)
       return;
+    const double tolerated = 1e-3; // part of the surface
     const double h_before = h;
-    for (double factor = .97; std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
-      Voxel_grid other = solid_voxels(surface_, walls_, factor * h_before);
-      if (euler_characteristic(other) == wanted) {
+    double least = std::numeric_limits<double>::infinity();
+    for (double factor = .97; least > tolerated && std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
+      Voxel_grid other = voxels(factor * h_before);
+      if (euler_characteristic(other) != wanted)
+        continue;
+      const double lost = lost_part(walls_, other);
+      if (lost < least) {
+        least = lost;
         grid = std::move(other);
         h = factor * h_before;
         is_refined_ = true;
-        return;
       }
     }
   }
@@ -192,7 +204,7 @@ private:
   const Meshing_parameters parameters_;
   const Reference_input& reference_;
   const Triangle_surface surface_;
-  Eigen::AlignedBox3d box_;
+  const Eigen::AlignedBox3d box_;
   std::vector<Wall_distance> walls_;
   bool is_refined_ = false;
   double wanted_ = double(parameters_.number_of_hexahedra); // number of hexahedra

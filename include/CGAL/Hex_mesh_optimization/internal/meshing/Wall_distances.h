@@ -44,7 +44,6 @@ inline std::vector<Wall_distance> wall_distances(const Positions& points,
                                                  const std::vector<Triangle_indices>& triangles, double spacing)
 {
   const double opposite = std::cos(CGAL_PI / 6);
-  const double most_parts = 64; // along a side of a triangle
   std::vector<aabb::Kernel::Triangle_3> soup;
   std::vector<std::size_t> index;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -66,10 +65,7 @@ inline std::vector<Wall_distance> wall_distances(const Positions& points,
   for (std::size_t s = 0; s < soup.size(); ++s) {
     const Vector_3 a = aabb::vector(soup[s][0]), b = aabb::vector(soup[s][1]), c = aabb::vector(soup[s][2]);
     const Vector_3 inward = -normal(soup[s]);
-    const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-    const int n = static_cast<int>((std::min)((std::max)(1.0, std::ceil(longest / spacing)), most_parts));
-    const double area = (b - a).cross(c - a).norm() / 2 / (double(n) * n);
-    for_lattice(a, b, c, n, [&](const Vector_3& place) {
+    for_parts(a, b, c, spacing, [&](const Vector_3& place, double area) {
       const aabb::Kernel::Ray_3 ray(aabb::point(place), aabb::Kernel::Vector_3(inward[0], inward[1], inward[2]));
       double distance = std::numeric_limits<double>::infinity();
       const auto found = tree.first_intersection(ray, [&](const aabb::Triangle_iterator& other) {

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -54,11 +53,14 @@ inline void fill_inside(const Positions& points, const std::vector<Triangle_indi
     const Vector_3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     std::array<int, 2> first, last; // rows that may cross it
     for (int d = 1; d < 3; ++d) {
-      const auto row = [&](double x) { return (x - grid.center(d, 0)) / grid.spacing()[d]; };
+      const std::vector<double>& centers = grid.centers(d);
       const auto bounds = std::minmax({a[d], b[d], c[d]});
-      // rounded to the safe side
-      first[d - 1] = static_cast<int>((std::max)(0.0, std::ceil(row(bounds.first) - 1e-6)));
-      last[d - 1] = static_cast<int>((std::min)(double(grid.cells(d) - 1), std::floor(row(bounds.second) + 1e-6)));
+      const double safe = 1e-6 * grid.mean_spacing(); // rounded to the safe side
+      first[d - 1] = static_cast<int>(std::lower_bound(centers.begin(), centers.end(), bounds.first - safe) -
+                                      centers.begin());
+      last[d - 1] = static_cast<int>(std::upper_bound(centers.begin(), centers.end(), bounds.second + safe) -
+                                     centers.begin()) -
+                    1;
     }
     for (int k = first[1]; k <= last[1]; ++k)
       for (int j = first[0]; j <= last[0]; ++j) {

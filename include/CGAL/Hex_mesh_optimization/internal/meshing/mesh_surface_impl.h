@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_check.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/insert_layers.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
@@ -36,7 +37,13 @@ CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Meshed_surface mesh_surface(const Reference_input& surface, const Meshing_parameters& parameters)
 {
   require_volume(surface);
-  Hex_mesher mesher(surface, parameters);
+  const Matrix_3 axes = grid_axes(surface.points, surface.triangles, parameters.grid);
+  Reference_input turned = surface;
+  for (Vector_3& p : turned.points)
+    p = axes.transpose() * p;
+  Hex_mesher mesher(turned, parameters);
+  for (Vector_3& p : mesher.mesh.points)
+    p = axes * p;
   return {std::move(mesher.mesh.points),
           std::move(mesher.mesh.hexahedra),
           {mesher.spacing, mesher.has_topology_of_surface, std::move(mesher.thin_triangles)}};
@@ -46,8 +53,9 @@ CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across)
 {
   require_volume(surface);
+  const Triangle_surface solid(surface.points, surface.triangles);
   const std::vector<Wall_distance> walls = wall_distances(surface.points, surface.triangles, spacing);
-  const Voxel_grid grid = solid_voxels(Triangle_surface(surface.points, surface.triangles), walls, spacing);
+  const Voxel_grid grid = solid_voxels(solid, walls, even_grid(solid, spacing));
   require_cells_inside(grid, spacing);
   Hexahedra mesh = voxel_hexahedra(grid);
   return {std::move(mesh.points),

@@ -115,21 +115,39 @@ inline void require_cells_inside(const Voxel_grid& grid, double spacing)
                         ", is too large");
 }
 
-// Closed, oriented outwards. The grid may have no cell inside; throws Input_error where it would have too many cells.
-// walls: those of the surface, about as dense as the cells.
-inline Voxel_grid solid_voxels(const Triangle_surface& surface, const std::vector<Wall_distance>& walls, double spacing)
+// Throws Input_error where a grid in the box would have too many cells.
+inline void require_countable_cells(const Eigen::AlignedBox3d& box, double spacing)
 {
-  const double thinnest = .25; // wall that is kept, in cells
-  Eigen::AlignedBox3d box;
-  for (const Triangle_indices& t : surface.triangles)
-    for (int v : t)
-      box.extend(surface.points[v]);
   const double number = (box.sizes() / spacing).array().max(1).prod();
   if (number > double((std::numeric_limits<int>::max)()))
     throw Input_error(Input_error::Element::PARAMETER, 0,
                       "the spacing, " + std::to_string(spacing) + ", is too small: the grid would have " +
                         std::to_string(number) + " cells");
-  Voxel_grid grid(box, spacing);
+}
+
+inline Eigen::AlignedBox3d bounding_box(const Positions& points, const std::vector<Triangle_indices>& triangles)
+{
+  Eigen::AlignedBox3d box;
+  for (const Triangle_indices& t : triangles)
+    for (int v : t)
+      box.extend(points[v]);
+  return box;
+}
+
+// Of the box around the surface, evenly divided, with no cell inside.
+inline Voxel_grid even_grid(const Triangle_surface& surface, double spacing)
+{
+  const Eigen::AlignedBox3d box = bounding_box(surface.points, surface.triangles);
+  require_countable_cells(box, spacing);
+  return Voxel_grid(box, spacing);
+}
+
+// Closed, oriented outwards, in the box of the grid. What is returned may have no cell inside.
+// walls: those of the surface, about as dense as the cells.
+inline Voxel_grid solid_voxels(const Triangle_surface& surface, const std::vector<Wall_distance>& walls,
+                               Voxel_grid grid)
+{
+  const double thinnest = .25; // wall that is kept, in cells
   fill_inside(surface.points, surface.triangles, grid);
   keep_thin_walls(walls, thinnest, grid);
   drop_crumbs(grid, surface);

@@ -25,7 +25,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // The cells inside that the way from a place to the opposite wall passes, in their order.
 inline std::vector<std::size_t> cells_behind(const Wall_distance& p, const Voxel_grid& grid)
 {
-  const int steps = static_cast<int>(std::ceil(4 * p.distance / grid.spacing().minCoeff())) + 1;
+  const int steps = static_cast<int>(std::ceil(4 * p.distance / grid.least_spacing())) + 1;
   std::vector<std::size_t> result;
   for (int i = 0; i < steps; ++i) {
     const std::size_t cell = grid.cell_of(p.place + (i + .5) / steps * p.distance * p.inward);
@@ -46,6 +46,18 @@ inline std::vector<std::size_t> thin_triangles(const std::vector<Wall_distance>&
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
+}
+
+// The part of the surface with no cell behind it, up to the opposite wall.
+inline double lost_part(const std::vector<Wall_distance>& places, const Voxel_grid& grid)
+{
+  double lost = 0, total = 0;
+  for (const Wall_distance& p : places) {
+    total += p.area;
+    if (p.distance < 2 * grid.mean_spacing() && cells_behind(p, grid).empty())
+      lost += p.area;
+  }
+  return lost / total;
 }
 
 // Walls that fit between the centers of cells keep the cells in their middle, unless they are thinner than `least` cells.

@@ -57,6 +57,47 @@ void for_lattice(const Vector_3& a, const Vector_3& b, const Vector_3& c, int n,
     }
 }
 
+// Calls visit(place, area) for the centers of parts of a triangle whose edges are about as long as the spacing, and the
+// areas that they stand for; more coarsely where a triangle is very much longer. Needles are cut across: n² equal parts
+// would be as slender as they are, and far too many.
+template <class Visit>
+void for_parts(const Vector_3& a, const Vector_3& b, const Vector_3& c, double spacing, const Visit& visit)
+{
+  const double most_parts = 64; // along an edge
+  const double slender = .45; // twice the area over the squared longest edge: .5 with a right angle between equal sides
+  const double needle = .25;  // the shortest edge over the longest
+  const double least_area = 1 / 16.; // of the slices of a needle on average, in squared spacings
+  const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
+  const double longest = (std::max)({ab, bc, ca}), shortest = (std::min)({ab, bc, ca});
+  const double area = (b - a).cross(c - a).norm() / 2;
+  spacing = (std::max)(spacing, longest / most_parts);
+  const int n = static_cast<int>((std::max)(1.0, std::ceil(longest / spacing)));
+  if (n == 1 || 2 * area >= slender * longest * longest)
+    for_lattice(a, b, c, n, [&](const Vector_3& place) { visit(place, area / (double(n) * n)); });
+  else if (shortest < needle * longest) {
+    if (bc != shortest)
+      return for_parts(b, c, a, spacing, visit);
+    // from a to the shortest edge, and fewer where neighbors are as slender
+    const double most_slices = std::ceil(area / (least_area * spacing * spacing));
+    const int slices = static_cast<int>((std::max)(1.0, (std::min)(double(n), most_slices)));
+    for (int i = 0; i < slices; ++i) {
+      const double height = (i + .5) / slices;
+      const int m = static_cast<int>((std::max)(1.0, std::ceil(height * shortest / spacing)));
+      for (int j = 0; j < m; ++j) {
+        const double across = (j + .5) / m;
+        visit(Vector_3(a + height * ((1 - across) * (b - a) + across * (c - a))), area * 2 * height / slices / m);
+      }
+    }
+  }
+  else { // into needles, at the longest edge
+    if (ab != longest)
+      return for_parts(b, c, a, spacing, visit);
+    const Vector_3 middle = (a + b) / 2;
+    for_parts(a, middle, c, spacing, visit);
+    for_parts(middle, b, c, spacing, visit);
+  }
+}
+
 // The triangles of a surface, sheet by sheet.
 inline std::vector<std::size_t> triangles_by_sheets(const Triangle_surface& surface)
 {
@@ -69,7 +110,7 @@ inline std::vector<std::size_t> triangles_by_sheets(const Triangle_surface& surf
   return order;
 }
 
-// The vertices, and in every triangle the centers of a lattice of n² equal parts with edges of about the given length;
+// The vertices, and in every triangle the centers of parts with edges of about the given length;
 // the number of samples of an oversized surface is in proportion to the mesh, not to the surface. Sheet by sheet: a
 // vertex on several of them is a sample of each.
 inline std::vector<Surface_sample> spread_samples(const Triangle_surface& surface, std::size_t number_of_boundary_faces,
@@ -89,12 +130,17 @@ inline std::vector<Surface_sample> spread_samples(const Triangle_surface& surfac
         seen[v] = sheet;
         samples.push_back({points[v], 0.0, v, sheet});
       }
-    const double doubled = (b - a).cross(c - a).norm();
-    const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-    const double extent = excess > 1 ? std::sqrt(doubled / excess) : longest; // needles would have too many samples
-    const int n = static_cast<int>((std::max)(1.0, (std::min)(std::ceil(extent / spacing), most_parts)));
-    const double area = doubled / 2 / (double(n) * n);
-    for_lattice(a, b, c, n, [&](const Vector_3& place) { samples.push_back({place, area, -1, sheet}); });
+    if (excess > 1) {
+      const double doubled = (b - a).cross(c - a).norm();
+      const int n = static_cast<int>(
+        (std::max)(1.0, (std::min)(std::ceil(std::sqrt(doubled / excess) / spacing), most_parts)));
+      const double area = doubled / 2 / (double(n) * n);
+      for_lattice(a, b, c, n, [&](const Vector_3& place) { samples.push_back({place, area, -1, sheet}); });
+    }
+    else
+      for_parts(a, b, c, spacing, [&](const Vector_3& place, double area) {
+        samples.push_back({place, area, -1, sheet});
+      });
   }
   return samples;
 }
