@@ -47,7 +47,7 @@ struct Boundary_parameters
   // From about this distance on an additional term grows with the sixth power, up to twice the distance; relative to
   // the geometric mean of the edge and its typical length, as the bound has to suit both the element and the model.
   double steep_weight = .25;
-  double steep_distance = .19;
+  double steep_distance = .175;
 
   Boundary_sample_parameters samples;
 };

@@ -35,7 +35,7 @@ struct Hexahedron_energy_parameters
   // edge ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it
   // (measured).
   double shape_weight = .11;
-  double poor_shape_weight = .545;
+  double poor_shape_weight = .5;
   // λ, of the shape for lengths that are certain. Linear: the terms above vanish too fast to hold a layer to its height
   // (measured on a boundary layer: 50 times κ and κ' do less than this). Four times as much costs a poor CAD part .011 of
   // its average.
