@@ -89,6 +89,7 @@ public:
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
     bool arrives = false, tightens = false, recovers = false, used_up = false; // the iterations of a phase
+    double called_at = 0;                                                      // minimum
     std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
@@ -100,14 +101,14 @@ public:
         // where nothing is loose, it has to climb there once more
         arrives = true;
         sliding_.call_all();
-        level_ = quality.minimum;
+        level_ = called_at = quality.minimum;
       }
       if (arrives && !tightens && sliding_.are_some_away()) {
         level_ *= parameters_.yielding_to_arrivals;
         floor_.restart();
         begun = i + 1;
         climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
-        if (level_ < parameters_.least_level_of_arrivals)
+        if (level_ < parameters_.least_part_for_arrivals * called_at)
           sliding_.release_those_away();
       }
       else if (ends) {
