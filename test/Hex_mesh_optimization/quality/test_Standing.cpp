@@ -58,7 +58,7 @@ TEST(Standing, counts_inverted_hexahedra_then_invalid_ones_then_the_excess_then_
 TEST(Standing, is_good_where_all_is_valid_and_in_place)
 {
   for (const Standing& s : standings())
-    EXPECT_EQ(s.is_good(), s.invalid == 0 && s.excess == 0);
+    EXPECT_EQ(s.is_good(), s.invalid == 0 && s.excess == 0 && s.away == 0);
 }
 
 } // namespace
