@@ -116,8 +116,8 @@ class Boundary_samples
 {
 public:
   // faces: of the complex, with the sheets of the surface. lengths: the target lengths of the edges. has_tolerance: a
-  // mesh has to be brought to the reference, which is not its own boundary. maximum_deviation: the bound of all distances. The complex, the
-  // faces, the surface and the attachment must outlive the object.
+  // mesh has to be brought to the reference, which is not its own boundary. maximum_deviation: the bound of all
+  // distances. The complex, the faces, the surface and the attachment must outlive the object.
   Boundary_samples(const Hexahedral_complex& complex, const Surface_faces& faces, const Reference_surface& surface,
                    const Boundary_attachment& attachment, const std::vector<double>& lengths, bool has_tolerance,
                    double maximum_deviation, const Boundary_sample_parameters& parameters)

@@ -63,8 +63,8 @@ struct Maximization_parameters
   std::size_t settling_iterations = 16;
   std::size_t longest_settling_iterations = 40;
   // While vertices are called to exact places on curves and faces, the minimum that the hexahedra around them keep yields
-  // by the factor in each iteration. What has not come when this part of it is left, they cannot give (measured: 32 of the
-  // 1,188 vertices of a CAD part, whose minimum is .58 then; without a limit one of .04).
+  // by the factor in each iteration. What has not come when this part of it is left is let go: the minimum before exactness
+  // (measured: 32 of the 1,188 vertices of a CAD part, whose minimum is .58 then).
   double yielding_to_arrivals = .97;
   double least_part_for_arrivals = .42;
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better.
