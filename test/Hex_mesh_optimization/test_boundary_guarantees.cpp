@@ -7,6 +7,7 @@
 #include <CGAL/optimize_hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
+#include "boundary_surface_mesh.h"
 #include "mesh_checks.h"
 #include "mesh_families.h"
 
@@ -34,16 +35,6 @@ using Surface_mesh = CGAL::Surface_mesh<Point>;
 using HMO::Boundary_placement;
 using HMO::Return_code;
 using HMO::Status;
-
-Surface_mesh surface_of(const Indexed_mesh& mesh)
-{
-  using Vertex = Surface_mesh::Vertex_index;
-  Surface_mesh surface;
-  for_boundary(
-    mesh, [&](const Point& p) { return surface.add_vertex(p); },
-    [&](Vertex a, Vertex b, Vertex c) { surface.add_face(a, b, c); });
-  return surface;
-}
 
 // The boundary as it stands in for a reference: quads are split from their first corners
 std::vector<Kernel::Triangle_3> boundary_triangles(const Indexed_mesh& mesh)

@@ -6,6 +6,7 @@
 #include <CGAL/optimize_hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
+#include "boundary_surface_mesh.h"
 #include "Marked_vertices.h"
 #include "mesh_checks.h"
 #include "mesh_families.h"
@@ -43,17 +44,6 @@ using Surface_mesh = CGAL::Surface_mesh<Point>;
 using HMO::Method;
 using HMO::Return_code;
 using HMO::Status;
-
-Surface_mesh surface_of(const Indexed_mesh& mesh)
-{
-  Surface_mesh surface;
-  for_boundary(
-    mesh, [&](const Point& p) { return surface.add_vertex(p); },
-    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
-      surface.add_face(a, b, c);
-    });
-  return surface;
-}
 
 template <class NamedParameters>
 Status optimize(Indexed_mesh& mesh, const NamedParameters& np)

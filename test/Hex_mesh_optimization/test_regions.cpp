@@ -11,6 +11,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 
+#include "boundary_surface_mesh.h"
 #include "Marked_vertices.h"
 #include "labelled_meshes.h"
 #include "mesh_checks.h"
@@ -503,17 +504,6 @@ TEST(Labels_of_a_linear_cell_complex, are_those_of_ranges)
 
 // --- With a reference ------------------------------------------------------------------------
 
-Surface_mesh boundary_of(const Indexed_mesh& mesh)
-{
-  Surface_mesh surface;
-  for_boundary(
-    mesh, [&](const Point& p) { return surface.add_vertex(p); },
-    [&](Surface_mesh::Vertex_index a, Surface_mesh::Vertex_index b, Surface_mesh::Vertex_index c) {
-      surface.add_face(a, b, c);
-    });
-  return surface;
-}
-
 // Two disks, one on the other, within a cylinder of this radius
 Labelled_mesh pile(double radius)
 {
@@ -528,7 +518,7 @@ TEST(Reference_of_the_outside, takes_the_rims_of_interfaces_along)
 {
   Indexed_mesh finer;
   HMO::make_cylinder(finer.points, finer.hexahedra, 12, 12);
-  const Surface_mesh surface = boundary_of(finer);
+  const Surface_mesh surface = surface_of(finer);
   for (double radius : {1., .99, .94, 1.06})
     for (unsigned seed = 0; seed < 3; ++seed) {
       SCOPED_TRACE(std::to_string(radius) + ", seed " + std::to_string(seed));
@@ -572,7 +562,7 @@ TEST(Reference_of_the_outside, takes_the_rims_of_curved_interfaces_along)
     });
     scramble_within_regions(mesh, 1, .4);
     const double limit = .1 * mesh.mean_edge_length();
-    const Surface_mesh surface = boundary_of(scaled);
+    const Surface_mesh surface = surface_of(scaled);
     const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface,
                                                   regions_of(mesh).maximum_deviation(limit));
     EXPECT_TRUE(status.valid_mesh());
@@ -667,7 +657,7 @@ TEST(References_of_interfaces, are_what_interfaces_are_brought_to)
       const double tolerance = half > 3 ? .1 : .15; // where it ends, it goes on straight
       const Soup soup = surface_over(half, height);
       Labelled_mesh mesh = voxels_below(height), again = mesh;
-      const Surface_mesh outside = boundary_of(mesh);
+      const Surface_mesh outside = surface_of(mesh);
       const std::map<std::pair<int, int>, Surface_mesh> surfaces{{{2, 1}, as_mesh(soup)}};
       const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
                                                     regions_of(mesh).interface_references(surfaces));
