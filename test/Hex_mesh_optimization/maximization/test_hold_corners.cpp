@@ -49,7 +49,8 @@ TEST(Hold_corners, is_shortened_only_where_corners_would_get_too_poor)
   step[moved] = Vector_3(1, .8, .9);
   const Positions given = step;
   const int rounds = 20;
-  hold_corners(complex, Hexahedron_batches(complex), points, least, rounds, not_retracted, no_more, step);
+  hold_corners(complex, Hexahedron_batches(complex), points, least, rounds, Last_resort::NONE, not_retracted, no_more,
+               step);
 
   std::vector<char> is_near(points.size(), false);
   for (int h : complex.vertex_hexahedra[moved])
@@ -80,7 +81,8 @@ TEST(Hold_corners, ends_after_the_rounds)
   const Hexahedral_complex complex = mesh.complex();
   const Batched_values<1> unreachable = same_for_all(complex, 2);
   Positions step(mesh.points.size(), Vector_3(1, 2, 3));
-  hold_corners(complex, Hexahedron_batches(complex), positions(mesh), unreachable, 3, not_retracted, no_more, step);
+  hold_corners(complex, Hexahedron_batches(complex), positions(mesh), unreachable, 3, Last_resort::NONE, not_retracted,
+               no_more, step);
   for (const Vector_3& d : step)
     EXPECT_EQ(d, Vector_3(1, 2, 3) / 8);
 }
@@ -94,7 +96,7 @@ TEST(Hold_corners, is_shortened_where_more_is_found_in_what_is_retracted)
   const int watched = 0, v = complex.hexahedra[watched][0];
   Positions step(points.size(), Vector_3(.1, 0, 0));
   hold_corners(
-    complex, Hexahedron_batches(complex), points, least, 20, [&](Positions& p) { p[v].z() += 1; },
+    complex, Hexahedron_batches(complex), points, least, 20, Last_resort::NONE, [&](Positions& p) { p[v].z() += 1; },
     [&](const Positions& reached, std::vector<char>& is_ruined) {
       EXPECT_EQ(reached[v].z(), points[v].z() + 1);
       if (reached[v].x() - points[v].x() > .03)

@@ -147,6 +147,23 @@ TEST(Newton_step, ends_where_points_are_retracted_to)
   EXPECT_EQ(reached, energy.value(points));
 }
 
+// On a roof whose ridge it is on, a point loses on either side, however short the step: it stays, and the others go on.
+TEST(Newton_step, stops_a_point_at_a_kink_and_no_other)
+{
+  const Springs energy{some_targets()};
+  Block_matrix matrix = chain_matrix();
+  const Positions start(n, Vector_3::Zero());
+  Positions points = start;
+  Freedoms freedoms(n, Freedom::everywhere());
+  freedoms[2] = Freedom::along_line(Vector_3::UnitX());
+  const auto to_roof = [](Positions& p) { p[2].z() = -10 * std::abs(p[2].x()); };
+  const double reached = newton_step(energy, freedoms, unrestricted, to_roof, Newton_parameters(), matrix, points);
+  EXPECT_LT(reached, .5 * energy.value(start));
+  EXPECT_EQ(reached, energy.value(points));
+  for (int v = 0; v < n; ++v)
+    EXPECT_EQ(points[v] == start[v], v == 2) << v;
+}
+
 TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
 {
   const Springs energy{some_targets(), .5};

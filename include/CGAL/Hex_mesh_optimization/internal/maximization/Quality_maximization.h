@@ -12,7 +12,8 @@
 
 // Newton's method on the energy of all hexahedra and of the attachment, from a
 // mesh without inverted corners: the worst corners climb while the boundary is
-// loosely attached, then the attachment tightens while they are held.
+// loosely attached, then the attachment tightens while they are held. What is to
+// stand exactly on curves and faces comes to its place after that.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
@@ -32,13 +33,16 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/vertex_couplings.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Progress.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/newton_step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -88,40 +92,46 @@ public:
     double excess = samples_.excess(points), least_excess = std::numeric_limits<double>::infinity();
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
-    bool arrives = false, tightens = false, recovers = false, used_up = false; // the iterations of a phase
-    double called_at = 0;                                                      // minimum
-    std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
+    // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
+    bool is_to_arrive = sliding_.holds_more_than_corners();
+    const bool is_exact = is_to_arrive;
+    Phase phase = Phase::CLIMBING;
+    bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
+    double called_at = 0, least_away = 0;                        // minimum, vertices
+    std::size_t begun = 0, waited = 0, settled = 0;              // begun: the iteration in which climbing has
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
-      const bool is_high = quality.minimum >= floor_.worth_holding(quality) &&
-                           climb.iterations_without_change_of_average() >= parameters_.climbing_patience_for_average;
-      const bool is_done = is_high || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
-      const bool ends = !tightens && (is_done || i == begun + parameters_.climbing_iterations);
-      if (ends && !arrives && sliding_.holds_more_than_corners()) {
-        // where nothing is loose, it has to climb there once more
-        arrives = true;
-        sliding_.call_all();
-        level_ = called_at = quality.minimum;
-      }
-      if (arrives && !tightens && sliding_.are_some_away()) {
-        level_ *= parameters_.yielding_to_arrivals;
-        floor_.restart();
-        begun = i + 1;
-        climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
+      if (phase == Phase::ARRIVING) {
+        const double away = double(sliding_.vertices_away().size());
+        if (away > parameters_.progress_of_arrivals * least_away)
+          level_ *= parameters_.yielding_to_arrivals;
+        least_away = (std::min)(least_away, away);
         if (level_ < parameters_.least_part_for_arrivals * called_at)
           sliding_.release_those_away();
+        floor_.restart();
+        if (!sliding_.are_some_away()) {
+          phase = Phase::CLIMBING;
+          level_ = 0;
+          begun = i;
+          climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
+        }
       }
-      else if (ends) {
-        tightens = true;
-        used_up = !is_done;
-        shape_ = (samples_.is_bounded_everywhere() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
-                 (parameters_.shape_balance_offset + 1 - quality.average);
-        weigh_shape();
-        sliding_.call_all();
-        level_ = 0;
-        adapt_lengths(points);
+      else if (phase == Phase::CLIMBING) {
+        const bool is_high = quality.minimum >= floor_.worth_holding(quality) &&
+                             climb.iterations_without_change_of_average() >= parameters_.climbing_patience_for_average;
+        const bool is_done = is_high || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
+        if (is_done || i == begun + parameters_.climbing_iterations) {
+          phase = Phase::SETTLING;
+          used_up = !is_done;
+          waited = settled = 0;
+          if (!has_relaxed)
+            relax(quality, points);
+          has_relaxed = true;
+          if (!is_exact)
+            sliding_.call_all();
+        }
       }
-      if (!tightens)
+      if (phase != Phase::SETTLING)
         floor_.rise(quality);
       else {
         floor_.hold(quality, points, (std::max)(best.least_minimum(), 0.0));
@@ -138,13 +148,19 @@ public:
       }
       if (approaches || (samples_.is_bounded() && boundary_.tightness < 1)) // walls move with the tightness
         samples_.update(points, boundary_.tightness);
-      const Batched_values<1> least = least_scaled_jacobians(quality, parameters_.least_part_of_corner);
+      const bool has_called = is_exact &&
+                              !is_to_arrive; // from then on the worst give nothing, as they stand in the way
+      const Batched_values<1> least = least_scaled_jacobians(quality,
+                                                             has_called ? 1 : parameters_.least_part_of_corner);
       const auto retract = [this](Positions& p) { sliding_.retract(p); };
       const auto restrict_step = [&](Positions& step) {
         hold_corners(
-          complex_, batches_, points, least, parameters_.holding_rounds, retract,
+          complex_, batches_, points, least, parameters_.holding_rounds,
+          has_called ? Last_resort::UNTIL_NONE_IS_RUINED : Last_resort::NONE, retract,
           [&](const Positions& reached, std::vector<char>& is_ruined) {
             samples_.find_leaving(points, reached, complex_, is_ruined);
+            if (has_called)
+              find_invalidated(points, reached, is_ruined);
           },
           step);
       };
@@ -154,7 +170,7 @@ public:
       samples_.update(points, boundary_.tightness);
       excess = samples_.excess(points);
       const bool is_outside = (samples_.is_bounded() && excess > 0) || sliding_.are_some_away();
-      if (boundary_.tightness == 1) {
+      if (boundary_.tightness == 1 && phase == Phase::SETTLING) {
         if (!is_outside) {
           if (std::isfinite(least_excess) && !recovers)
             settled = 0; // what has yielded now recovers, once: else it could go back and forth for ever
@@ -183,22 +199,33 @@ public:
       control.after_iteration(Stage::MAXIMIZATION, i, energy, quality);
       const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held();
       const bool is_settled = !is_outside && is_held && settling.iterations_without_change() >= parameters_.patience;
-      if (boundary_.tightness == 1 && ++settled >= settling_iterations(is_held, is_outside)) {
-        used_up = used_up || !is_settled;
+      if (phase != Phase::SETTLING || boundary_.tightness < 1)
+        continue;
+      const bool is_over = ++settled >= settling_iterations(is_held, is_outside);
+      const bool is_good = !is_outside && quality.invalid == 0 && quality.minimum >= target_quality;
+      if (!is_over && !is_settled && !is_good)
+        continue;
+      if (!is_to_arrive) {
+        used_up = used_up || (is_over && !is_settled);
         break;
       }
-      if (is_settled)
-        break;
-      if (is_outside)
-        continue;
-      if (boundary_.tightness == 1 && quality.invalid == 0 && quality.minimum >= target_quality)
-        break;
+      is_to_arrive = false;
+      phase = Phase::ARRIVING;
+      sliding_.call_all();
+      level_ = called_at = quality.minimum;
+      least_away = std::numeric_limits<double>::infinity();
     }
     points = best.points();
     return control.stage_end(used_up);
   }
 
 private:
+  enum class Phase {
+    CLIMBING, // the worst corners, while the boundary may yield
+    SETTLING, // the boundary tightens, or is tight, and the worst corners are held
+    ARRIVING  // what is to stand exactly on curves and faces comes to its place
+  };
+
   std::size_t settling_iterations(bool is_held, bool is_outside) const
   {
     if (is_outside)
@@ -206,16 +233,64 @@ private:
     return is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations;
   }
 
+  // From the first phase to the second: the shape counts for more, for lengths that suit the mesh.
+  void relax(const Mesh_quality& quality, const Positions& points)
+  {
+    shape_ = (samples_.is_bounded_everywhere() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
+             (parameters_.shape_balance_offset + 1 - quality.average);
+    weigh_shape();
+    adapt_lengths(points);
+  }
+
   // Goes the ways of what is called to its place, as far as the hexahedra allow it. What is below the level that is
   // held gives nothing: in each iteration a part of what is left would wear it down.
   void approach(const Mesh_quality& quality, Positions& points)
   {
+    Batched_values<1> least = least_scaled_jacobians(quality, 1);
+    if (level_ > 0) // nor does any lose much at once: the others have to follow
+      for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h) {
+        const double own = quality.scaled_jacobians[h], level = parameters_.least_part_of_corner * level_;
+        least.set(h, 0, (std::min)(own, (std::max)(level, parameters_.least_part_of_arrival * own)));
+      }
     Positions step = sliding_.ways(points);
     hold_corners(
-      complex_, batches_, points, least_scaled_jacobians(quality, 1), parameters_.holding_rounds, [](Positions&) {},
-      [](const Positions&, std::vector<char>&) {}, step);
+      complex_, batches_, points, least, parameters_.holding_rounds, Last_resort::UNTIL_NONE_IS_RUINED,
+      [](Positions&) {},
+      [&](const Positions& reached, std::vector<char>& is_ruined) {
+        if (level_ > 0) {
+          find_invalidated(points, reached, is_ruined);
+          find_collapsing(points, reached, is_ruined);
+        }
+      },
+      step);
     for_each(points.size(), [&](std::size_t v) { points[v] += step[v]; });
     sliding_.arrive(points);
+  }
+
+  // Those that are certified at points, and not where they are reached: their corners may all be good.
+  void find_invalidated(const Positions& points, const Positions& reached, std::vector<char>& is_ruined) const
+  {
+    const auto is_valid = [this](const Positions& p, std::size_t h) {
+      return hexahedron_validity(hexahedron_coordinates(p, complex_.hexahedra[h])) == Validity::VALID;
+    };
+    for_each(is_ruined.size(), [&](std::size_t h) {
+      if (!is_ruined[h] && !is_valid(reached, h) && is_valid(points, h))
+        is_ruined[h] = true;
+    });
+  }
+
+  // Those of which an edge gets too short: scaled Jacobians are blind to it, and the derivatives of the shape are not.
+  void find_collapsing(const Positions& points, const Positions& reached, std::vector<char>& is_ruined) const
+  {
+    const auto length = [](const Positions& p, const std::array<int, 2>& e) { return (p[e[1]] - p[e[0]]).norm(); };
+    for_each(is_ruined.size(), [&](std::size_t h) {
+      for (int directed : complex_.hexahedron_edges[h]) {
+        const std::array<int, 2>& e = complex_.edges[directed / 2];
+        if (length(reached, e) < (std::min)(parameters_.least_edge * targets_.lengths[directed / 2],
+                                            parameters_.least_part_of_edge * length(points, e)))
+          is_ruined[h] = true;
+      }
+    });
   }
 
   // What no corner of each hexahedron may drop below in the next step. part: of its own.

@@ -31,13 +31,13 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // steps end with. O(rounds · hexahedra).
 template <class Retract, class Find_more>
 void hold_corners(const Hexahedral_complex& complex, const Hexahedron_batches& batches, const Positions& points,
-                  const Batched_values<1>& least, int rounds, const Retract& retract, const Find_more& find_more,
-                  Positions& step)
+                  const Batched_values<1>& least, int rounds, Last_resort last_resort, const Retract& retract,
+                  const Find_more& find_more, Positions& step)
 {
   Positions reached(points.size()), at(points.size());
   for_each(points.size(), [&](std::size_t v) { reached[v] = points[v] + step[v]; });
   const std::vector<double> share = hold_back(
-    complex, points, step, rounds, false,
+    complex, points, step, rounds, last_resort,
     [&](const Positions& ends, std::vector<char>& is_ruined) {
       at = ends;
       retract(at);

@@ -130,7 +130,7 @@ private:
     Positions step(points.size());
     for_each(step.size(), [&](std::size_t v) { step[v] = points[v] - before[v]; });
     hold_back(
-      complex_, before, step, parameters_.hold_back_attempts, true,
+      complex_, before, step, parameters_.hold_back_attempts, Last_resort::IN_LAST_TWO_ROUNDS,
       [&](const Positions& reached, std::vector<char>& is_ruined) {
         for_each(is_ruined.size(), [&](std::size_t h) {
           const Hexahedron_coordinates x = hexahedron_coordinates(reached, complex_.hexahedra[h]);

@@ -70,6 +70,7 @@ public:
       reduced_ = std::make_unique<Block_matrix>(couplings_of_leaders());
   }
 
+  const Ties& ties() const { return ties_; }
   std::size_t size() const { return diagonal.size(); }
 
   void set_zero()

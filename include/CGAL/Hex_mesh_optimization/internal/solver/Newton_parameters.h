@@ -22,6 +22,8 @@ struct Newton_parameters
   // Part of the decrease that the slope promises (Armijo), and how often the step is halved to reach it.
   double armijo = 1e-4;
   int line_search_steps = 12;
+  // After so many of them in vain it looks for points that are at kinks of what they slide on.
+  int steps_between_kinks = 4;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

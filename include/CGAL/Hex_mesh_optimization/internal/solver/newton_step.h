@@ -15,9 +15,11 @@
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Newton_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Ties.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -29,6 +31,27 @@ namespace CGAL::Hex_mesh_optimization::internal {
 //   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
 //     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
 //
+// Stops those points that lose more by being taken back to what they slide on than they gain on their way: where that has
+// a kink, retract() takes them aside in proportion to the step, however short it is. Returns whether there were any.
+inline bool stop_at_kinks(const Positions& points, const Positions& reached, double t,
+                          const Positions& negative_gradient, const Ties& ties, Positions& direction)
+{
+  const double least_bend = 1e-3; // of the step: less is rounding, or smooth
+  std::vector<char> is_stopped(points.size(), false);
+  bool are_some_stopped = false;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Vector_3 step = t * direction[v], bend = reached[v] - points[v] - step;
+    if (bend.squaredNorm() > least_bend * least_bend * step.squaredNorm() &&
+        negative_gradient[v].dot(bend) < -std::abs(negative_gradient[v].dot(step)))
+      is_stopped[v] = are_some_stopped = true;
+  }
+  ties.unite(is_stopped);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_stopped[v])
+      direction[v].setZero();
+  return are_some_stopped;
+}
+
 // Moves the points, each within its freedom. restrict_step(direction) may shorten the steps of single points;
 // retract(points) takes those that slide on something curved back onto it. Returns the energy reached.
 template <class Energy, class Restrict, class Retract>
@@ -41,22 +64,32 @@ double newton_step(const Energy& energy, const Freedoms& freedoms, const Restric
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
   matrix.solve(gradient, freedoms, parameters.tolerance, parameters.iterations, direction);
   restrict_step(direction);
-  const double slope = -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t v = begin; v < end; ++v)
-      sum += gradient[v].dot(direction[v]);
-    return sum;
-  });
+  const auto slope_of_direction = [&] {
+    return -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t v = begin; v < end; ++v)
+        sum += gradient[v].dot(direction[v]);
+      return sum;
+    });
+  };
+  double slope = slope_of_direction();
   const double start = energy.value(points);
   Positions trial(points.size());
   double t = 1;
-  for (int i = 0; i < parameters.line_search_steps; ++i, t /= 2) {
+  for (int i = 1; i <= parameters.line_search_steps; ++i) {
     for_each(points.size(), [&](std::size_t v) { trial[v] = points[v] + t * direction[v]; });
     retract(trial);
     const double reached = energy.value(trial);
     if (reached <= start + parameters.armijo * t * slope) {
       points.swap(trial);
       return reached;
+    }
+    t /= 2;
+    if (i % parameters.steps_between_kinks == 0 &&
+        stop_at_kinks(points, trial, 2 * t, gradient, matrix.ties(), direction)) {
+      // one such point would keep all others where they are
+      slope = slope_of_direction();
+      t = 1;
     }
   }
   return start;
