@@ -6,6 +6,8 @@
 
 // The page that --report writes: what --json has, and the meshes, in one file of HTML that needs no other one.
 
+#include "embedded_report_page.h"
+
 #include <CGAL/Hex_mesh_optimization/Deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
@@ -23,9 +25,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-// The page without data, which is compiled into the program; empty if three.js was not found.
-std::string embedded_report_page();
 
 class Report_page
 {

@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.15)
 
 if(NOT THREE)
-  file(WRITE ${OUTPUT} "#include \"Report_page.h\"\n\nstd::string embedded_report_page()\n{\n  return {};\n}\n")
+  file(WRITE ${OUTPUT} "#include \"embedded_report_page.h\"\n\nstd::string embedded_report_page()\n{\n  return {};\n}\n")
   return()
 endif()
 
@@ -20,7 +20,7 @@ endforeach()
 
 # No compiler takes a literal of any length.
 string(LENGTH "${page}" length)
-set(source "#include \"Report_page.h\"\n\nstd::string embedded_report_page()\n{\n  static const char* const parts[] = {\n")
+set(source "#include \"embedded_report_page.h\"\n\nstd::string embedded_report_page()\n{\n  static const char* const parts[] = {\n")
 foreach(begin RANGE 0 ${length} 8000)
   string(SUBSTRING "${page}" ${begin} 8000 part)
   string(APPEND source "R\"__(${part})__\",\n")
