@@ -73,7 +73,7 @@ struct Maximization_parameters
   double progress_of_arrivals = .95;
   double least_part_for_arrivals = .2;
   // What is left to a hexahedron of its own minimum in each iteration.
-  double least_part_of_arrival = .85;
+  double least_part_of_hexahedron = .85;
   // Edges shorter than this part of their target lengths keep this part of their length.
   double least_edge = .05;
   double least_part_of_edge = .97;

@@ -250,7 +250,7 @@ private:
     if (level_ > 0) // nor does any lose much at once: the others have to follow
       for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h) {
         const double own = quality.scaled_jacobians[h], level = parameters_.least_part_of_corner * level_;
-        least.set(h, 0, (std::min)(own, (std::max)(level, parameters_.least_part_of_arrival * own)));
+        least.set(h, 0, (std::min)(own, (std::max)(level, parameters_.least_part_of_hexahedron * own)));
       }
     Positions step = sliding_.ways(points);
     hold_corners(
