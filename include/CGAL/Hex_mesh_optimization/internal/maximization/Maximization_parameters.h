@@ -72,9 +72,11 @@ struct Maximization_parameters
   double yielding_to_arrivals = .97;
   double progress_of_arrivals = .95;
   double least_part_for_arrivals = .2;
-  // What is left to a hexahedron of its own minimum in each iteration.
+  // What is left to a hexahedron of its own minimum in each iteration (measured on an organic model: .93 is too slow, it
+  // leaves 1,706 vertices away instead of 1,089).
   double least_part_of_hexahedron = .85;
-  // Edges shorter than this part of their target lengths keep this part of their length.
+  // Edges shorter than this part of their target lengths keep this part of their length (measured on a CAD part: 64
+  // vertices are away at the end, 83 with .15 of the target, 320 if they may get no shorter at all).
   double least_edge = .05;
   double least_part_of_edge = .97;
 

@@ -94,11 +94,10 @@ public:
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     bool is_to_arrive = sliding_.holds_more_than_corners();
-    const bool is_exact = is_to_arrive;
     Phase phase = Phase::CLIMBING;
-    bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
-    double called_at = 0, least_away = 0;                        // minimum, vertices
-    std::size_t begun = 0, waited = 0, settled = 0;              // begun: the iteration in which climbing has
+    bool has_called = false, has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
+    double called_at = 0, least_away = 0;                                            // minimum, vertices
+    std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
@@ -127,7 +126,7 @@ public:
           if (!has_relaxed)
             relax(quality, points);
           has_relaxed = true;
-          if (!is_exact)
+          if (!is_to_arrive)
             sliding_.call_all();
         }
       }
@@ -148,8 +147,7 @@ public:
       }
       if (approaches || (samples_.is_bounded() && boundary_.tightness < 1)) // walls move with the tightness
         samples_.update(points, boundary_.tightness);
-      const bool has_called = is_exact &&
-                              !is_to_arrive; // from then on the worst give nothing, as they stand in the way
+      // once all are called the worst give nothing, as they stand in the way
       const Batched_values<1> least = least_scaled_jacobians(quality,
                                                              has_called ? 1 : parameters_.least_part_of_corner);
       const auto retract = [this](Positions& p) { sliding_.retract(p); };
@@ -210,6 +208,7 @@ public:
         break;
       }
       is_to_arrive = false;
+      has_called = true;
       phase = Phase::ARRIVING;
       sliding_.call_all();
       level_ = called_at = quality.minimum;

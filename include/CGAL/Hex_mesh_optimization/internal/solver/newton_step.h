@@ -25,12 +25,6 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// An energy is a class with
-//   double value(const Positions& points) const,
-//     which may be infinite where the energy is not defined, and
-//   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
-//     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
-//
 // Stops those points that lose more by being taken back to what they slide on than they gain on their way: where that has
 // a kink, retract() takes them aside in proportion to the step, however short it is. Returns whether there were any.
 inline bool stop_at_kinks(const Positions& points, const Positions& reached, double t,
@@ -52,6 +46,12 @@ inline bool stop_at_kinks(const Positions& points, const Positions& reached, dou
   return are_some_stopped;
 }
 
+// An energy is a class with
+//   double value(const Positions& points) const,
+//     which may be infinite where the energy is not defined, and
+//   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
+//     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
+//
 // Moves the points, each within its freedom. restrict_step(direction) may shorten the steps of single points;
 // retract(points) takes those that slide on something curved back onto it. Returns the energy reached.
 template <class Energy, class Restrict, class Retract>
