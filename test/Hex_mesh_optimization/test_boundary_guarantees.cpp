@@ -22,6 +22,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <ostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -207,6 +210,94 @@ TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it)
 TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it_where_that_costs_quality)
 {
   expect_on_surface(sheared(GetParam()()), std::string(GetParam().name) != "ring");
+}
+
+// A thin solid of length 1 and width .25, whose vertices have slid along it. n: hexahedra along it; thickness: of all
+// layers.
+struct Thin_solid
+{
+  const char* name;
+  Point (*at)(double u, double v, double height); // on the middle surface, and above or below it
+  bool is_closed;                                 // u = 1 is u = 0
+
+  Indexed_mesh operator()(int n, int layers, double thickness, std::uint64_t seed) const
+  {
+    const int m = n / 4;
+    Indexed_mesh mesh;
+    HMO::make_block(mesh.points, mesh.hexahedra, {{std::size_t(n), std::size_t(m), std::size_t(layers)}},
+                    {{double(n), double(m), 1}});
+    std::mt19937_64 random(seed);
+    std::map<std::array<int, 2>, std::array<double, 2>> places; // the same for all of a column
+    for (Point& p : mesh.points) {
+      const std::array<int, 2> column = {int(p.x()) % (is_closed ? n : n + 1), int(p.y())};
+      const auto slid = [&](int i, int last) {
+        return i > 0 && i < last ? i + (double(random() >> 11) * 0x1p-53 - .5) * .5 : double(i);
+      };
+      if (places.count(column) == 0)
+        places[column] = {slid(column[0], n), slid(column[1], m)};
+      const auto& [u, v] = places[column];
+      p = at(u / n, v / n, (p.z() - .5) * thickness);
+    }
+    if (is_closed)
+      merge(mesh);
+    return mesh;
+  }
+
+private:
+  static void merge(Indexed_mesh& mesh)
+  {
+    std::map<std::array<double, 3>, std::size_t> number;
+    std::vector<std::size_t> merged;
+    std::vector<Point> points;
+    for (const Point& p : mesh.points) {
+      const auto [it, is_new] = number.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, points.size());
+      if (is_new)
+        points.push_back(p);
+      merged.push_back(it->second);
+    }
+    mesh.points = points;
+    for (auto& h : mesh.hexahedra)
+      for (std::size_t& v : h)
+        v = merged[v];
+  }
+};
+
+std::ostream& operator<<(std::ostream& os, const Thin_solid& solid) { return os << solid.name; }
+
+class Thin_solids : public ::testing::TestWithParam<Thin_solid>
+{};
+
+INSTANTIATE_TEST_SUITE_P(
+  Shapes, Thin_solids,
+  ::testing::Values(Thin_solid{"plate", [](double u, double v, double h) { return Point(u, v, h); }, false},
+                    Thin_solid{"shell",
+                               [](double u, double v, double h) {
+                                 const double x = u - .5, y = v, z = .8;
+                                 const double r = (1 + h) / std::sqrt(x * x + y * y + z * z);
+                                 return Point(r * x, r * y, r * z);
+                               },
+                               false},
+                    Thin_solid{"pipe",
+                               [](double u, double v, double h) {
+                                 const double r = .5 / CGAL_PI + h, a = 2 * CGAL_PI * u;
+                                 return Point(r * std::cos(a), -r * std::sin(a), v);
+                               },
+                               true}),
+  Family_name());
+
+// However thin they are in comparison with their edges
+TEST_P(Thin_solids, keep_their_volume)
+{
+  const int n = 40;
+  for (double aspect : {3., 10., 30., 100.})
+    for (int layers : {1, 2}) {
+      SCOPED_TRACE("aspect " + std::to_string(aspect) + ", layers " + std::to_string(layers));
+      Indexed_mesh mesh = GetParam()(n, layers, layers / (n * aspect), 7);
+      const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra);
+      EXPECT_TRUE(status.valid_mesh());
+      EXPECT_GT(status.after.average, status.before.average + .01);
+      EXPECT_NEAR(status.volume_after / status.volume_before, 1, .01);
+    }
 }
 
 TEST(Volume, is_in_the_status_before_and_after)

@@ -163,6 +163,16 @@ TEST_P(Sliding_of_families, releases_what_is_away)
   for (int v : called)
     EXPECT_EQ(freedoms[v].dimension() == 3, v == last) << v;
   EXPECT_EQ(sliding.ways(s.points)[last], Vector_3(Vector_3::Zero()));
+
+  // and comes when it is called again
+  EXPECT_TRUE(sliding.recall_released());
+  EXPECT_TRUE(sliding.are_some_away());
+  EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
+  s.points[last] += sliding.ways(s.points)[last];
+  sliding.arrive(s.points);
+  EXPECT_TRUE(sliding.vertices_away().empty());
+  EXPECT_LT(sliding.freedoms(s.points)[last].dimension(), 3);
+  EXPECT_FALSE(sliding.recall_released());
 }
 
 // A block whose only sharp edges are those around its top: four corners that are turns

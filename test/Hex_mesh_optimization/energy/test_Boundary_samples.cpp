@@ -85,6 +85,39 @@ TEST(Boundary_samples, are_bounded_where_there_is_an_interface)
     EXPECT_NEAR(s.bound, layers.parameters.kept_part * .01, 1e-12) << "the lower of two bounds";
 }
 
+// What would be little for the edges is a lot where the solid is thin.
+TEST(Boundary_samples, of_the_surface_have_the_thickness_as_their_scale_where_it_is_less_than_an_edge)
+{
+  for (double height : {.01, 3.}) {
+    Block plate(3, 3, 1);
+    for (Vector_3& p : plate.points)
+      p.z() *= height;
+    const Hexahedral_complex complex = plate.complex();
+    const Surface_faces faces = boundary_surface_faces(complex);
+    const auto surface = boundary_as_reference(complex, faces, plate.points, Feature_parameters());
+    const Boundary_attachment attachment = attach_to_own_boundary(complex, *surface);
+    const std::vector<double> lengths = edge_lengths(complex, plate.points);
+    Boundary_samples samples(complex, faces, *surface, attachment, lengths, false, infinity,
+                             Boundary_sample_parameters());
+    samples.update(plate.points, 1);
+    int on_plate = 0;
+    for (const Boundary_sample& s : samples.samples()) {
+      const auto& q = faces.quads[s.face];
+      const bool is_flat = std::all_of(q.begin(), q.end(),
+                                       [&](int v) { return plate.points[v].z() == plate.points[q[0]].z(); });
+      if (is_flat && s.kind == Vertex_kind::SURFACE) {
+        ++on_plate;
+        EXPECT_LE(s.scale, height);
+        EXPECT_TRUE(height > 1 || std::abs(s.scale - height) < 1e-12);
+      }
+      if (s.kind == Vertex_kind::FEATURE) {
+        EXPECT_GT(s.scale, .5) << "whatever the height";
+      }
+    }
+    EXPECT_GT(on_plate, 18);
+  }
+}
+
 // Beyond the bound of the interface, and at the same distance on the outer boundary
 TEST(Boundary_samples, exceed_the_bound_of_an_interface_only_there)
 {

@@ -98,14 +98,27 @@ public:
     return result;
   }
 
-  // Lets go for good what has not come.
+  // Lets go what has not come.
   void release_those_away()
   {
     const auto away = std::stable_partition(held_.begin(), held_.end(), [this](int v) { return is_there_[v]; });
-    released_.insert(released_.end(), away, held_.end());
+    for (auto v = away; v != held_.end(); ++v) {
+      released_.push_back(*v);
+      kind_of_released_.push_back(std::exchange(kind_[*v], Kind::FREE));
+    }
     held_.erase(away, held_.end());
-    for (int v : released_)
-      kind_[v] = Kind::FREE;
+  }
+
+  // Calls again what was let go. Tells whether there is some.
+  bool recall_released()
+  {
+    for (std::size_t i = 0; i < released_.size(); ++i)
+      kind_[released_[i]] = kind_of_released_[i];
+    held_.insert(held_.end(), released_.begin(), released_.end());
+    const bool is_some = !released_.empty();
+    released_.clear();
+    kind_of_released_.clear();
+    return is_some;
   }
 
   // Whether a vertex does not move at all.
@@ -231,8 +244,9 @@ private:
   const Reference_surface& surface_;
   const Boundary_attachment& attachment_;
   std::vector<Kind> kind_;
-  std::vector<int> held_;      // vertices that are to stand on their places
-  std::vector<int> released_;  // vertices that were to
+  std::vector<int> held_;     // vertices that are to stand on their places
+  std::vector<int> released_; // vertices that were to
+  std::vector<Kind> kind_of_released_;
   std::vector<char> is_there_; // of each vertex
   bool are_all_called_ = false;
   mutable std::vector<std::size_t> hints_; // for searches; whatever they are, the results are the same

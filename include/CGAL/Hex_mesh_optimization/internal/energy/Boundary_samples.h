@@ -21,6 +21,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Curve_links.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Reference_links.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Reference_targets.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Solid_thickness.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Target.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
@@ -41,8 +42,8 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // 38,000 hexahedra.
 struct Boundary_sample_parameters
 {
-  // Weights of the samples, times the third power of the local edge: one for the distance, which is relative to it, and
-  // two for the area, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
+  // Weights of the samples, times the scale of the distance, which is relative to that, and the area of a local edge
+  // squared, so that all is summed as the average deviation is. 1 at vertices and centers of faces.
   double edge_weight = .5;
   // Of samples of the reference, per area of one squared edge, and per edge length of a feature curve.
   double pull_weight = 10.2;
@@ -50,14 +51,14 @@ struct Boundary_sample_parameters
   double reference_spacing = .8;
   // Factor for features.
   double feature_weight = 4.6;
-  // Bound of the distances of interfaces, in local edge lengths: between the samples it may be somewhat more, and a
-  // tenth is what an interface may be off.
+  // Bound of the distances of interfaces, in units of the scale: between the samples it may be somewhat more, and a tenth
+  // of an edge is what an interface may be off.
   double interface_deviation = .085;
-  // Samples keep their targets until they have moved this far, in local edge lengths.
+  // Samples keep their targets until they have moved this far, in units of the scale.
   double still_distance = .02;
 
-  // What is tolerated where no bound is given, in local edge lengths: a mesh farther than that from a reference of its
-  // own has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
+  // What is tolerated where no bound is given, in units of the scale: a mesh farther than that from a reference of its own
+  // has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
   double tolerance = .3;
 
   // --- Where distances are bounded ---
@@ -65,7 +66,7 @@ struct Boundary_sample_parameters
   double kept_part = .98;
   // While the boundary is attached with a tightness t < 1, the bound is larger by t to the power of minus this.
   double loosening = .25;
-  // The tighter the bound is over this part of the local edge, the more the average distance counts too, with a root of
+  // The tighter the bound is over this part of the scale, the more the average distance counts too, with a root of
   // that.
   double close_distance = .19;
   // Weight of the wall of the tube, and where it stands: at this part of the bound, or of the distance if that is
@@ -94,7 +95,7 @@ struct Boundary_sample
   double weight;
   Vertex_kind kind;
   int curve;
-  double scale = 0;                                       // of the distance: the local edge length
+  double scale = 0;                                       // of the distance: the local edge, or thickness if it is less
   double bound = std::numeric_limits<double>::infinity(); // of the distance
   double wall = std::numeric_limits<double>::infinity();  // of the distance, for now
   double emphasis = 1;                                    // factor of the weight, but at the wall
@@ -129,7 +130,8 @@ public:
     , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(),
                                  [](const std::array<int, 2>& labels) { return labels[1] != Surface_faces::no_label; }))
     , attachment_(attachment)
-    , scale_(mean_lengths(complex, faces_, lengths))
+    , edge_(mean_lengths(complex, faces_, lengths))
+    , thickness_(thicknesses(complex, lengths))
     , own_count_(add_samples(complex))
     , targets_(surface, own_count_)
     , reference_links_(faces_, surface,
@@ -175,9 +177,11 @@ public:
   Grouped_array::Group of_face(std::size_t f) const { return of_face_[f]; }
 
   double wall_weight() const { return parameters_.wall_weight; }
-  bool has_tolerance() const { return is_bounded() || std::isfinite(tolerance_); }
+  bool has_tolerance() const { return is_bounded() || has_reference_of_its_own(); }
   // Whether the distances of some samples are bounded.
   bool is_bounded_everywhere() const { return std::isfinite(maximum_deviation_); }
+  // Whether a mesh is brought to a reference that is not its own boundary.
+  bool has_reference_of_its_own() const { return std::isfinite(tolerance_); }
   bool is_bounded() const { return has_interface_ || std::isfinite(maximum_deviation_); }
 
   // By how much the samples exceed what is tolerated at the most, relative to it. Those of faces with a fixed vertex that
@@ -237,13 +241,38 @@ private:
     return sum;
   }
 
-  // Gives a sample the weight that follows from what it is on.
-  void weigh(Boundary_sample& s) const
+  // Of the solid behind each face, as far as it is less than the edges around.
+  std::vector<double> thicknesses(const Hexahedral_complex& complex, const std::vector<double>& lengths) const
   {
-    s.scale = 0;
+    const Solid_thickness thickness(complex, lengths);
+    std::vector<double> result;
+    for (std::size_t f = 0; f < faces_.quads.size(); ++f) {
+      double edge = 0;
+      for (int v : faces_.quads[f])
+        edge = (std::max)(edge, edge_[v]);
+      result.push_back(thickness.at(complex.boundary_faces[f], edge));
+    }
+    return result;
+  }
+
+  double local_edge(const Boundary_sample& s) const
+  {
+    double edge = 0;
     for (int k = 0; k < s.count; ++k)
-      s.scale += scale_[s.vertices[k]] / s.count;
-    s.weight *= s.scale * s.scale * s.scale;
+      edge += edge_[s.vertices[k]] / s.count;
+    return edge;
+  }
+
+  double scale_on_surface(int face, double edge) const { return (std::min)(edge, thickness_[face]); }
+
+  double square_of_edge(const Boundary_sample& s) const { return local_edge(s) * local_edge(s); }
+
+  // Gives a sample its scale, and the weight that follows from that and from the area that it stands for.
+  void weigh(Boundary_sample& s, double area) const
+  {
+    // along the surface, features may be farther off than the solid is thick
+    s.scale = s.kind == Vertex_kind::SURFACE ? scale_on_surface(s.face, local_edge(s)) : local_edge(s);
+    s.weight *= area * s.scale;
     if (s.kind != Vertex_kind::SURFACE)
       s.weight *= parameters_.feature_weight;
   }
@@ -251,7 +280,7 @@ private:
   void add(const Boundary_sample& sample)
   {
     samples_.push_back(sample);
-    weigh(samples_.back());
+    weigh(samples_.back(), square_of_edge(sample));
   }
 
   // Those of the mesh. Returns how many.
@@ -326,8 +355,7 @@ private:
          parameters_.pull_weight,
          Vertex_kind::SURFACE,
          -1};
-    weigh(s);
-    s.weight *= link.area / (s.scale * s.scale);
+    weigh(s, link.area);
     s.target = Target::in_direction(link.sample, link.direction);
   }
 
@@ -341,7 +369,7 @@ private:
          parameters_.curve_pull_weight,
          Vertex_kind::FEATURE,
          -1};
-    weigh(s);
+    weigh(s, square_of_edge(s));
     s.target = Target::on_plane(link.sample, s.place(points), Vector_3::UnitX());
   }
 
@@ -355,7 +383,7 @@ private:
         const Vector_3& p = points[v.vertex];
         const int sheet = faces_.sheet(v.face);
         const Surface_point foot = surface_.closest_point(p, Surface_point::no_hint, sheet);
-        if (surface_.way(p, foot).norm() > tolerated(v.face, scale_[v.vertex]))
+        if (surface_.way(p, foot).norm() > tolerated(v.face, scale_on_surface(v.face, edge_[v.vertex])))
           away.push_back({v.vertex, sheet});
       }
     std::sort(away.begin(), away.end());
@@ -367,8 +395,7 @@ private:
 
   bool is_bounded(int face) const { return std::isfinite(maximum_deviation_) || faces_.is_interface(face); }
 
-  // What the distance of a sample on a face is to keep to, with the local edge as its scale; infinite where it is not
-  // bounded.
+  // What the distance of a sample on a face is to keep to, with the scale; infinite where it is not bounded.
   double bound_of(int face, double scale) const
   {
     return parameters_.kept_part * (faces_.is_interface(face)
@@ -396,12 +423,13 @@ private:
 
   const Boundary_sample_parameters parameters_;
   const double maximum_deviation_;
-  const double tolerance_; // without a bound, in local edge lengths
+  const double tolerance_; // without a bound, in units of the scale
   const Surface_faces& faces_;
   const Reference_surface& surface_;
   const bool has_interface_;
   const Boundary_attachment& attachment_;
-  const std::vector<double> scale_; // of each vertex of the faces
+  const std::vector<double> edge_;      // local length, of each vertex of the faces
+  const std::vector<double> thickness_; // of each face
   std::vector<Boundary_sample> samples_;
   const std::size_t own_count_; // of those of the mesh
   Reference_targets targets_;   // of those of the mesh

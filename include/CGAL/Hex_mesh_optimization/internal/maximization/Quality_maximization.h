@@ -95,9 +95,9 @@ public:
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     bool is_to_arrive = sliding_.holds_more_than_corners();
     Phase phase = Phase::CLIMBING;
-    bool has_called = false, has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
-    double called_at = 0, least_away = 0;                                            // minimum, vertices
-    std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
+    bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
+    double called_at = 0, least_away = 0;                        // minimum, vertices
+    std::size_t calls = 0, begun = 0, waited = 0, settled = 0;   // begun: the iteration in which climbing has
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
@@ -105,7 +105,8 @@ public:
         if (away > parameters_.progress_of_arrivals * least_away)
           level_ *= parameters_.yielding_to_arrivals;
         least_away = (std::min)(least_away, away);
-        if (level_ < parameters_.least_part_for_arrivals * called_at)
+        if (level_ <
+            (calls == 1 ? parameters_.least_part_for_arrivals : parameters_.least_part_for_recalls) * called_at)
           sliding_.release_those_away();
         floor_.restart();
         if (!sliding_.are_some_away()) {
@@ -148,16 +149,15 @@ public:
       if (approaches || (samples_.is_bounded() && boundary_.tightness < 1)) // walls move with the tightness
         samples_.update(points, boundary_.tightness);
       // once all are called the worst give nothing, as they stand in the way
-      const Batched_values<1> least = least_scaled_jacobians(quality,
-                                                             has_called ? 1 : parameters_.least_part_of_corner);
+      const Batched_values<1> least = least_scaled_jacobians(quality, calls > 0 ? 1 : parameters_.least_part_of_corner);
       const auto retract = [this](Positions& p) { sliding_.retract(p); };
       const auto restrict_step = [&](Positions& step) {
         hold_corners(
           complex_, batches_, points, least, parameters_.holding_rounds,
-          has_called ? Last_resort::UNTIL_NONE_IS_RUINED : Last_resort::NONE, retract,
+          calls > 0 ? Last_resort::UNTIL_NONE_IS_RUINED : Last_resort::NONE, retract,
           [&](const Positions& reached, std::vector<char>& is_ruined) {
             samples_.find_leaving(points, reached, complex_, is_ruined);
-            if (has_called)
+            if (calls > 0)
               find_invalidated(points, reached, is_ruined);
           },
           step);
@@ -188,7 +188,7 @@ public:
       }
       // what was good is left as it was rather than loosely attached
       if (boundary_.tightness == 1 || !best.is_protected())
-        best.offer(points, quality, excess, 1 - boundary_.tightness, sliding_.vertices_away().size());
+        best.offer(points, quality, excess, looseness(settled), sliding_.vertices_away().size());
       climb.add(quality);
       if (boundary_.tightness < 1)
         settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
@@ -203,15 +203,17 @@ public:
       const bool is_good = !is_outside && quality.invalid == 0 && quality.minimum >= target_quality;
       if (!is_over && !is_settled && !is_good)
         continue;
-      if (!is_to_arrive) {
+      // what was let go may come after all, once those around it have given way
+      if (!is_to_arrive && (calls == 0 || calls == parameters_.most_calls || !sliding_.recall_released())) {
         used_up = used_up || (is_over && !is_settled);
         break;
       }
       is_to_arrive = false;
-      has_called = true;
       phase = Phase::ARRIVING;
       sliding_.call_all();
-      level_ = called_at = quality.minimum;
+      level_ = quality.minimum;
+      if (calls++ == 0)
+        called_at = level_;
       least_away = std::numeric_limits<double>::infinity();
     }
     points = best.points();
@@ -224,6 +226,14 @@ private:
     SETTLING, // the boundary tightens, or is tight, and the worst corners are held
     ARRIVING  // what is to stand exactly on curves and faces comes to its place
   };
+
+  // Of a state of the boundary. settled: tight iterations up to now; what has been tight for few has not come near yet.
+  double looseness(std::size_t settled) const
+  {
+    if (boundary_.tightness < 1)
+      return 1 - boundary_.tightness;
+    return settled < parameters_.least_settling_iterations ? (std::numeric_limits<double>::min)() : 0;
+  }
 
   std::size_t settling_iterations(bool is_held, bool is_outside) const
   {
@@ -319,6 +329,8 @@ private:
     Hexahedron_energy_parameters energy = parameters_.energy;
     energy.shape_weight *= shape_ * shape_yield_;
     energy.poor_shape_weight *= shape_ * shape_yield_;
+    if (samples_.has_reference_of_its_own() && !samples_.is_bounded_everywhere())
+      energy.poor_shape_weight *= parameters_.poor_shape_of_own;
     hexahedra_.set_parameters(energy);
   }
 
