@@ -589,7 +589,7 @@ TEST(Optimize_hex_mesh_deviation, is_larger_without_a_bound)
   const Surface_mesh surface = surface_of(intact);
   Indexed_mesh free = intact, bounded = intact;
   const Status without = CGAL::optimize_hex_mesh(free.points, free.hexahedra, surface);
-  const double bound = .75 * without.deviation.maximum;
+  const double bound = .9 * without.deviation.maximum;
   const Status with = CGAL::optimize_hex_mesh(bounded.points, bounded.hexahedra, surface,
                                               params::maximum_deviation(bound));
   EXPECT_GT(bound, 0);

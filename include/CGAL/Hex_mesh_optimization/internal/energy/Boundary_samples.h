@@ -61,6 +61,10 @@ struct Boundary_sample_parameters
   // has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
   double tolerance = .3;
 
+  // Factor of the weights on faces of which a fixed vertex is farther off than that (measured on a wavy interface within a
+  // fixed boundary, which its rim cannot follow: without it the minimum is .18 instead of more than .5).
+  double emphasis_of_held_away = .3;
+
   // --- Where distances are bounded ---
   // Samples keep to this part of the bound: what is between them may be farther off.
   double kept_part = .98;
@@ -165,6 +169,7 @@ public:
       curve_searches_of_range);
     if (is_bounded())
       bound(points, tightness);
+    ease_held_away();
     of_face_ = Grouped_array(
       faces_.quads.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
       [](std::size_t i) { return static_cast<int>(i); });
@@ -391,6 +396,16 @@ private:
       for (int v : faces_.quads[f])
         if (std::binary_search(away.begin(), away.end(), std::array<int, 2>{v, faces_.sheet(static_cast<int>(f))}))
           is_held_away_[f] = true;
+  }
+
+  // What cannot come near does not ruin hexahedra on the way.
+  void ease_held_away()
+  {
+    if (std::find(is_held_away_.begin(), is_held_away_.end(), true) == is_held_away_.end())
+      return;
+    for (Boundary_sample& s : samples_)
+      if (is_held_away_[s.face])
+        s.emphasis = parameters_.emphasis_of_held_away * (is_bounded() ? s.emphasis : 1);
   }
 
   bool is_bounded(int face) const { return std::isfinite(maximum_deviation_) || faces_.is_interface(face); }
