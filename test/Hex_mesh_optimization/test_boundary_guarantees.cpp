@@ -5,6 +5,7 @@
 // to be on the surface are. All is measured here, on the mesh that is handed back.
 
 #include <CGAL/optimize_hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
 #include "boundary_surface_mesh.h"
@@ -229,7 +230,7 @@ struct Thin_solid
     std::mt19937_64 random(seed);
     std::map<std::array<int, 2>, std::array<double, 2>> places; // the same for all of a column
     for (Point& p : mesh.points) {
-      const std::array<int, 2> column = {int(p.x()) % (is_closed ? n : n + 1), int(p.y())};
+      const std::array<int, 2> column = {int(std::lround(p.x())) % (is_closed ? n : n + 1), int(std::lround(p.y()))};
       const auto slid = [&](int i, int last) {
         return i > 0 && i < last ? i + (double(random() >> 11) * 0x1p-53 - .5) * .5 : double(i);
       };
@@ -238,27 +239,13 @@ struct Thin_solid
       const auto& [u, v] = places[column];
       p = at(u / n, v / n, (p.z() - .5) * thickness);
     }
-    if (is_closed)
-      merge(mesh);
-    return mesh;
-  }
-
-private:
-  static void merge(Indexed_mesh& mesh)
-  {
-    std::map<std::array<double, 3>, std::size_t> number;
-    std::vector<std::size_t> merged;
-    std::vector<Point> points;
-    for (const Point& p : mesh.points) {
-      const auto [it, is_new] = number.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, points.size());
-      if (is_new)
-        points.push_back(p);
-      merged.push_back(it->second);
+    if (is_closed) {
+      const std::vector<std::size_t> first = HMO::coincident_vertices(mesh.points, mesh.hexahedra);
+      for (auto& h : mesh.hexahedra)
+        for (std::size_t& v : h)
+          v = first[v];
     }
-    mesh.points = points;
-    for (auto& h : mesh.hexahedra)
-      for (std::size_t& v : h)
-        v = merged[v];
+    return mesh;
   }
 };
 

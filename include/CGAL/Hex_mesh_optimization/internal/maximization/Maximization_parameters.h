@@ -31,8 +31,8 @@ struct Maximization_parameters
   double shape_balance = .0375;
   double shape_balance_offset = .005;
   // Factor of the weight of poor shapes for a reference of its own without a bound: what holds it closely stretches edges
-  // (measured on an organic model and a CAD part: the ratios of edges of a hundredth of the hexahedra fall from 9.4 to 8.8
-  // and stay at 13.4, where they were 8.8 and 14.2 with a looser hold).
+  // (measured on an organic model and a CAD part: the ratios of edges of a hundredth of the hexahedra are 9.3 and 13.6 with
+  // 1.4, 8.8 and 13.4 with 1.8).
   double poor_shape_of_own = 1.8;
 
   // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of
