@@ -170,8 +170,11 @@ public:
       const bool is_outside = (samples_.is_bounded() && excess > 0) || sliding_.are_some_away();
       if (boundary_.tightness == 1 && phase == Phase::SETTLING) {
         if (!is_outside) {
-          if (std::isfinite(least_excess) && !recovers)
-            settled = 0; // what has yielded now recovers, once: else it could go back and forth for ever
+          if (std::isfinite(least_excess) && !recovers) {
+            // what has yielded now recovers, once: else it could go back and forth for ever
+            settled = 0;
+            settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
+          }
           recovers = recovers || std::isfinite(least_excess);
           least_excess = std::numeric_limits<double>::infinity();
           floor_.yield(parameters_.recovery);

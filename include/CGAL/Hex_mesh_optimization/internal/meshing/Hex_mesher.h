@@ -20,6 +20,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Patch_layers.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_annealing.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
@@ -136,8 +137,12 @@ private:
   Voxel_grid voxels(double h) const
   {
     require_countable_cells(box_, h);
-    return solid_voxels(surface_, walls_,
-                        Voxel_grid(grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)));
+    Voxel_grid grid =
+      solid_voxels(surface_, walls_,
+                   Voxel_grid(grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)));
+    Voxel_annealing(
+      grid, [&](std::size_t cell) { return distance_from(surface_, grid.center(cell)); }, parameters_.annealing);
+    return grid;
   }
 
   void measure_walls(double h)

@@ -12,46 +12,16 @@
 
 // Makes the boundary of the inside cells of a grid a manifold, by adding and removing few cells.
 
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Node_patterns.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
 
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-// Bit c of the pattern: cell c of the eight around a node is inside, c = i + 2 j + 4 k. The boundary is a disk at the node
-// if and only if the cells inside are connected by faces, and the cells outside are.
-class Node_patterns
-{
-public:
-  Node_patterns()
-  {
-    for (unsigned pattern = 0; pattern < 256; ++pattern)
-      is_manifold_[pattern] = is_connected(pattern) && is_connected(~pattern & 255u);
-  }
-
-  bool is_manifold(unsigned pattern) const { return is_manifold_[pattern]; }
-
-private:
-  static bool is_connected(unsigned cells)
-  {
-    unsigned reached = cells & (~cells + 1); // the lowest
-    for (unsigned last = 0; last != reached;) {
-      last = reached;
-      for (int c = 0; c < 8; ++c)
-        if (reached >> c & 1u)
-          for (int axis = 0; axis < 3; ++axis)
-            reached |= cells & 1u << (c ^ 1 << axis);
-    }
-    return reached == cells;
-  }
-
-  std::bitset<256> is_manifold_;
-};
 
 class Manifold_voxels
 {
@@ -79,19 +49,7 @@ public:
   std::size_t removed() const { return removed_; }
 
 private:
-  // A node has the index of the cell at its upper side; the cells around it are this and those before it.
-  std::size_t cell_at(std::size_t node, int c) const
-  {
-    return node - (c & 1 ? 0 : grid_.stride(0)) - (c & 2 ? 0 : grid_.stride(1)) - (c & 4 ? 0 : grid_.stride(2));
-  }
-
-  bool is_manifold(std::size_t node) const
-  {
-    unsigned pattern = 0;
-    for (int c = 0; c < 8; ++c)
-      pattern |= unsigned(grid_.is_inside[cell_at(node, c)] != 0) << c;
-    return patterns_.is_manifold(pattern);
-  }
+  bool is_manifold(std::size_t node) const { return patterns_.is_manifold(pattern_at(grid_, node)); }
 
   std::vector<std::size_t> bad_nodes() const
   {
@@ -108,8 +66,7 @@ private:
   {
     int result = 0;
     for (int c = 0; c < 8; ++c)
-      result += !is_manifold(cell + (c & 1 ? grid_.stride(0) : 0) + (c & 2 ? grid_.stride(1) : 0) +
-                             (c & 4 ? grid_.stride(2) : 0));
+      result += !is_manifold(node_of(grid_, cell, c));
     return result;
   }
 
@@ -126,7 +83,7 @@ private:
       return grid_.is_in_box(cell) && !(only_adds && grid_.is_inside[cell]);
     };
     for (int c = 0; c < 8; ++c) {
-      const std::size_t first = cell_at(node, c);
+      const std::size_t first = cell_around(grid_, node, c);
       if (!may_change(first))
         continue;
       const int before_first = bad_nodes_around(first);
@@ -138,7 +95,7 @@ private:
         chosen = {first, none};
       }
       for (int d = c + 1; d < 8 && !only_adds; ++d) {
-        const std::size_t second = cell_at(node, d);
+        const std::size_t second = cell_around(grid_, node, d);
         if (!may_change(second))
           continue;
         const int before_second = bad_nodes_around(second);

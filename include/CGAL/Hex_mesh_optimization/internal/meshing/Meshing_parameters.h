@@ -12,6 +12,7 @@
 
 // What a caller can choose of a mesh that is made from a surface, and what else decides about it.
 
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Annealing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Grid_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Layer_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_parameters.h>
@@ -27,6 +28,7 @@ struct Meshing_parameters
   std::size_t cells_across = 1;           // wanted between opposite walls
   Feature_parameters features;
   Grid_parameters grid;
+  Annealing_parameters annealing;
   Layer_parameters layers;
 
   // Where parts are thin, the spacing is made smaller until no more than this part of the surface has too few cells

@@ -142,6 +142,11 @@ inline Voxel_grid even_grid(const Triangle_surface& surface, double spacing)
   return Voxel_grid(box, spacing);
 }
 
+inline double distance_from(const Triangle_surface& surface, const Vector_3& p)
+{
+  return (surface.closest_point(p).point - p).norm();
+}
+
 // Closed, oriented outwards, in the box of the grid. What is returned may have no cell inside.
 // walls: those of the surface, about as dense as the cells.
 inline Voxel_grid solid_voxels(const Triangle_surface& surface, const std::vector<Wall_distance>& walls,
@@ -151,9 +156,7 @@ inline Voxel_grid solid_voxels(const Triangle_surface& surface, const std::vecto
   fill_inside(surface.points, surface.triangles, grid);
   keep_thin_walls(walls, thinnest, grid);
   drop_crumbs(grid, surface);
-  Manifold_voxels(grid, [&](std::size_t cell) {
-    return (surface.closest_point(grid.center(cell)).point - grid.center(cell)).norm();
-  });
+  Manifold_voxels(grid, [&](std::size_t cell) { return distance_from(surface, grid.center(cell)); });
   drop_crumbs(grid, surface);
   return grid;
 }
