@@ -464,36 +464,54 @@ struct Labels_of_darts
   }
 };
 
+// A mesh as a complex, and as ranges in the order of the complex
+struct Complex_and_ranges
+{
+  explicit Complex_and_ranges(const Labelled_mesh& mesh)
+  {
+    HMO::hexahedra_to_linear_cell_complex(mesh.points, mesh.hexahedra, lcc);
+    for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h)
+      labels_[corners(mesh.points, mesh.hexahedra[h])] = mesh.labels[h];
+    HMO::linear_cell_complex_to_hexahedra(lcc, ranges.points, ranges.hexahedra);
+    for (const auto& h : ranges.hexahedra)
+      ranges.labels.push_back(labels_.at(corners(ranges.points, h)));
+  }
+  Complex_and_ranges(const Complex_and_ranges&) = delete;
+
+  auto parameters_of_complex() const { return params::hexahedron_label_map(Labels_of_darts{&lcc, &labels_}); }
+
+  void expect_the_same() const
+  {
+    Labelled_mesh result;
+    HMO::linear_cell_complex_to_hexahedra(lcc, result.points, result.hexahedra);
+    EXPECT_EQ(result.hexahedra, ranges.hexahedra);
+    EXPECT_TRUE(same_points(result.points, ranges.points));
+  }
+
+  LCC lcc;
+  Labelled_mesh ranges;
+
+private:
+  template <class Hexahedron>
+  static std::set<Point> corners(const std::vector<Point>& points, const Hexahedron& hexahedron)
+  {
+    std::set<Point> result;
+    for (std::size_t v : hexahedron)
+      result.insert(points[v]);
+    return result;
+  }
+
+  std::map<std::set<Point>, int> labels_;
+};
+
 TEST(Labels_of_a_linear_cell_complex, are_those_of_ranges)
 {
   Labelled_mesh mesh = three_regions_around_a_curve();
   scramble_within_regions(mesh, 2, .6);
-  LCC lcc;
-  HMO::hexahedra_to_linear_cell_complex(mesh.points, mesh.hexahedra, lcc);
-  std::map<std::set<Point>, int> labels;
-  for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h) {
-    std::set<Point> corners;
-    for (std::size_t v : mesh.hexahedra[h])
-      corners.insert(mesh.points[v]);
-    labels[corners] = mesh.labels[h];
-  }
-  const Status of_complex = CGAL::optimize_hex_mesh(lcc, params::hexahedron_label_map(Labels_of_darts{&lcc, &labels}));
-
-  // the same mesh, as the complex has it
-  LCC unmoved;
-  HMO::hexahedra_to_linear_cell_complex(mesh.points, mesh.hexahedra, unmoved);
-  Labelled_mesh ranges, result;
-  HMO::linear_cell_complex_to_hexahedra(unmoved, ranges.points, ranges.hexahedra);
-  for (const auto& h : ranges.hexahedra) {
-    std::set<Point> corners;
-    for (std::size_t v : h)
-      corners.insert(ranges.points[v]);
-    ranges.labels.push_back(labels.at(corners));
-  }
-  const Status of_ranges = optimize(ranges);
-  HMO::linear_cell_complex_to_hexahedra(lcc, result.points, result.hexahedra);
-  EXPECT_EQ(result.hexahedra, ranges.hexahedra);
-  EXPECT_TRUE(same_points(result.points, ranges.points));
+  Complex_and_ranges both(mesh);
+  const Status of_complex = CGAL::optimize_hex_mesh(both.lcc, both.parameters_of_complex());
+  const Status of_ranges = optimize(both.ranges);
+  both.expect_the_same();
   ASSERT_EQ(of_complex.interfaces.size(), 3u);
   ASSERT_EQ(of_ranges.interfaces.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -744,6 +762,17 @@ TEST(References_of_interfaces, that_do_not_fit_are_refused)
     "triangle 5 of the reference surface has a vertex that is not one of its 625 points for the labels 1 and 2");
 }
 
+TEST(References_of_interfaces, are_those_of_ranges_for_a_linear_cell_complex)
+{
+  Complex_and_ranges both(voxels_below(wave));
+  const std::map<std::pair<int, int>, Soup> surfaces{{{1, 2}, surface_over(4, wave)}};
+  const Status status = CGAL::optimize_hex_mesh(both.lcc, both.parameters_of_complex().interface_references(surfaces));
+  CGAL::optimize_hex_mesh(both.ranges.points, both.ranges.hexahedra,
+                          regions_of(both.ranges).interface_references(surfaces));
+  both.expect_the_same();
+  expect_interface_on(both.ranges, status, wave, .1);
+}
+
 // --- Periodic pairs ------------------------------------------------------------------------------
 
 using Translation = Indexed_mesh::Kernel::Vector_3;
@@ -815,6 +844,25 @@ TEST(Periodic_pairs, move_together)
           EXPECT_GT(apart, 4);
           EXPECT_GE(status.after.minimum, .8 * of_it.after.minimum);
         }
+}
+
+TEST(Periodic_pairs, of_a_linear_cell_complex_are_in_its_order)
+{
+  Periodic_block block = periodic_block(4, 1, .8);
+  block.mesh.labels.assign(block.mesh.hexahedra.size(), 0);
+  Complex_and_ranges both(block.mesh);
+  std::map<Point, std::size_t> vertex;
+  for (std::size_t v = 0; v < both.ranges.points.size(); ++v)
+    vertex[both.ranges.points[v]] = v;
+  Pairs pairs;
+  for (const auto& [a, b, t] : block.pairs)
+    pairs.emplace_back(vertex.at(block.mesh.points[a]), vertex.at(block.mesh.points[b]), t);
+  const Status status = CGAL::optimize_hex_mesh(both.lcc, params::periodic_vertices(pairs));
+  EXPECT_TRUE(status.valid_mesh());
+  CGAL::optimize_hex_mesh(both.ranges.points, both.ranges.hexahedra, params::periodic_vertices(pairs));
+  both.expect_the_same();
+  for (const auto& [a, b, t] : pairs)
+    EXPECT_EQ(both.ranges.points[b], both.ranges.points[a] + t) << a << ' ' << b;
 }
 
 // One that does not move holds the other.
