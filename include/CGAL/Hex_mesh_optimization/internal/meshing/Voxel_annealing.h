@@ -37,9 +37,8 @@ inline std::size_t irregularity(const Voxel_grid& grid)
   return sum;
 }
 
-// The boundary is a manifold, and stays so, with the same topology; no wall and no gap of one cell gets a hole or a
-// bridge, or is shortened. The same for the same input on all machines. O(n) for n cells near the boundary, times the
-// number of sweeps.
+// The boundary is a manifold, and stays so, with the same topology. Walls and gaps of one cell that are more than a step
+// on something wider stay as they are. Deterministic. O(n) for n cells near the boundary, times the number of sweeps.
 class Voxel_annealing
 {
 public:
