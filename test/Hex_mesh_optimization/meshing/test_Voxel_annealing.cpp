@@ -102,8 +102,9 @@ TEST(Voxel_annealing, keeps_walls_and_gaps_of_one_cell)
     for (int i = 0; i < 7; ++i)
       for (int j = 0; j < 7; ++j) {
         const std::size_t cell = grid.index(i, j, 3);
-        if (bool(before[cell]) == is_wall)
+        if (bool(before[cell]) == is_wall) {
           EXPECT_EQ(bool(grid.is_inside[cell]), is_wall) << i << ' ' << j;
+        }
       }
   }
 }
