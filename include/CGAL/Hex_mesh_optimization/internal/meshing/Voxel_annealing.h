@@ -12,7 +12,7 @@
 
 // Cells whose centers are near the surface change sides where the boundary of the voxels gets fewer irregular vertices,
 // by simulated annealing. Each of these limits the scaled Jacobian of the hexahedra around it, and the steps of a grid
-// across an oblique surface have many that a step half a cell farther does not need.
+// across an oblique surface have about twice as many as they need.
 
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Annealing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Node_patterns.h>
@@ -24,18 +24,6 @@
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
-
-// The sum over all nodes.
-inline std::size_t irregularity(const Voxel_grid& grid)
-{
-  const Node_patterns patterns;
-  std::size_t sum = 0;
-  for (int k = 0; k <= grid.cells(2); ++k)
-    for (int j = 0; j <= grid.cells(1); ++j)
-      for (int i = 0; i <= grid.cells(0); ++i)
-        sum += static_cast<std::size_t>(patterns.irregularity(pattern_at(grid, grid.index(i, j, k))));
-  return sum;
-}
 
 // The boundary is a manifold, and stays so, with the same topology. Walls and gaps of one cell that are more than a step
 // on something wider stay as they are. Deterministic. O(n) for n cells near the boundary, times the number of sweeps.
