@@ -137,9 +137,9 @@ private:
   Voxel_grid voxels(double h) const
   {
     require_countable_cells(box_, h);
-    Voxel_grid grid =
-      solid_voxels(surface_, walls_,
-                   Voxel_grid(grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)));
+    Voxel_grid grid = solid_voxels(surface_, walls_,
+                                   Voxel_grid(
+                                     grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)));
     Voxel_annealing(
       grid, [&](std::size_t cell) { return distance_from(surface_, grid.center(cell)); }, parameters_.annealing);
     return grid;

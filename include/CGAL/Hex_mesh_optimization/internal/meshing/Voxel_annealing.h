@@ -113,7 +113,8 @@ private:
       if (below && above && !is_on_something_wider(cell, axis))
         return false;
     }
-    const bool is_whole = none < 3 && !(pairs == 1 && none == 2), leaves_whole = pairs < 3 && !(pairs == 2 && none == 1);
+    const bool is_whole = none < 3 && !(pairs == 1 && none == 2),
+               leaves_whole = pairs < 3 && !(pairs == 2 && none == 1);
     return is_whole && leaves_whole;
   }
 
@@ -131,7 +132,10 @@ private:
     return false;
   }
 
-  bool is_different(std::size_t a, std::size_t b) const { return (grid_.is_inside[a] != 0) != (grid_.is_inside[b] != 0); }
+  bool is_different(std::size_t a, std::size_t b) const
+  {
+    return (grid_.is_inside[a] != 0) != (grid_.is_inside[b] != 0);
+  }
 
   int irregularity_around(std::size_t cell) const
   {
