@@ -8,6 +8,7 @@
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Feature_curve_tracer.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_adjacency.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
 
 #include "../Generated_mesh.h"
@@ -15,11 +16,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -124,6 +127,69 @@ TEST(Boundary_attachment_by_matching, follows_closed_curves)
         EXPECT_NEAR(surface->curves[attachment.curve[v]]->closest_point(p).point[2], p[2], 1e-9);
       }
     }
+  }
+}
+
+// The shortest path between its ends is the one edge that the curve leaves out
+TEST(Boundary_attachment_by_matching, goes_round_an_almost_closed_curve)
+{
+  const Generated_mesh mesh = cylinder(4);
+  const Reference rim = Reference::of(mesh);
+  Edge_list sharp;
+  for (const std::array<int, 2>& edge : sharp_edges(rim.points, rim.triangles, 45))
+    if (rim.points[edge[0]][2] > 1 && rim.points[edge[1]][2] > 1)
+      sharp.push_back(edge);
+  const std::size_t number = sharp.size();
+  sharp.pop_back();
+  const Reference_surface surface(rim.points, rim.triangles, sharp, true, Feature_parameters());
+  ASSERT_EQ(surface.curves.size(), 1u);
+  ASSERT_FALSE(surface.curves[0]->is_closed());
+  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, surface).attachment;
+  EXPECT_EQ(std::count(attachment.kind.begin(), attachment.kind.end(), Vertex_kind::CORNER), 2);
+  EXPECT_EQ(std::size_t(std::count(attachment.kind.begin(), attachment.kind.end(), Vertex_kind::FEATURE)), number - 2);
+}
+
+// Two curves across a plate whose ends and nearest vertices are those of one row: the one that is nearer to it gets it,
+// whichever is first.
+TEST(Boundary_attachment_by_matching, leaves_vertices_to_the_curve_that_needs_them_more)
+{
+  const Generated_mesh mesh([](auto& p, auto& h) { HMO::make_block(p, h, {{8, 4, 1}}, {{2, 1, .25}}); });
+  for (bool mirrored : {false, true}) {
+    SCOPED_TRACE(mirrored);
+    const double nearer = mirrored ? .55 : .45, other = mirrored ? .4 : .6;
+    const Generated_mesh plate([&](auto& p, auto& h) {
+      HMO::make_block(p, h, {{8, 3, 1}}, {{2, 1, .25}});
+      for (auto& q : p) {
+        const double rows[4] = {0, (std::min)(nearer, other), (std::max)(nearer, other), 1};
+        q = std::decay_t<decltype(q)>(q.x(), rows[std::lround(3 * q.y())], q.z());
+      }
+    });
+    const Reference reference = Reference::of(plate);
+    Edge_list sharp;
+    Triangle_adjacency(reference.triangles).for_each_edge([&](const Triangle_adjacency::Sides& sides) {
+      const std::array<int, 2> e = sides[0].edge;
+      const Vector_3 &a = reference.points[e[0]], &b = reference.points[e[1]];
+      if (a[2] > .2 && b[2] > .2 && a[1] == b[1] && (a[1] == nearer || a[1] == other))
+        sharp.push_back(e);
+    });
+    const Reference_surface surface(reference.points, reference.triangles, sharp, true, Feature_parameters());
+    ASSERT_EQ(surface.curves.size(), 2u);
+    const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, surface).attachment;
+    int in_row = 0, elsewhere = 0;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (attachment.kind[v] == Vertex_kind::FEATURE) {
+        const Vector_3& p = mesh.points[v];
+        EXPECT_NEAR(p[2], .25, 1e-12);
+        const double y = surface.curves[attachment.curve[v]]->closest_point(p).point[1];
+        if (std::abs(y - nearer) < 1e-9) {
+          ++in_row;
+          EXPECT_NEAR(p[1], .5, 1e-12);
+        }
+        else
+          ++elsewhere;
+      }
+    EXPECT_GE(in_row, 7);
+    EXPECT_GE(elsewhere, 7);
   }
 }
 

@@ -60,6 +60,22 @@ TEST(Deviations, of_what_has_not_moved_are_zero)
 }
 
 // An interface that has moved onto another one is as far from its own place as before
+// The mesh cuts an edge of the reference off: what is farthest is on that edge, between its ends.
+TEST(Deviations, are_those_of_sharp_edges_too)
+{
+  const Layers layers(3);
+  Positions points = layers.block.points;
+  const double chamfer = .3;
+  for (Vector_3& p : points)
+    if (p[0] == 3 && p[1] == 3 && p[2] > 0 && p[2] < 3)
+      p -= Vector_3(chamfer, chamfer, 0);
+  const Deviations d = deviations(layers.faces, points, layers.reference, .05);
+  // the corners of the cut faces stay where they were
+  const double expected = chamfer * std::sqrt(2.) / std::sqrt(1 + 2 * chamfer * chamfer / 4);
+  EXPECT_LE(d.all.maximum, chamfer * std::sqrt(2.) + 1e-12);
+  EXPECT_GT(d.all.maximum, .9 * expected);
+}
+
 TEST(Deviations, of_a_sheet_are_from_its_own_place)
 {
   const Layers layers(4);

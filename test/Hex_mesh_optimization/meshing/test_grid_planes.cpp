@@ -84,6 +84,15 @@ TEST(grid_planes, lie_in_flat_parts_and_divide_what_is_between_evenly)
   EXPECT_NEAR(distance_to_nearest(planes[0], 2), 0, 1e-12);
 }
 
+// Between two flat parts that are about a cell apart there is room for a step.
+TEST(grid_planes, divide_a_strip_between_flat_parts)
+{
+  const auto at = [](double upper) { return planes_of(steps(1, upper), .5)[2]; };
+  EXPECT_EQ(at(1.5), (std::vector<double>{0, .5, 1, 1.25, 1.5}));
+  EXPECT_EQ(at(1.625), (std::vector<double>{0, .5, 1, 1.3125, 1.625}));
+  EXPECT_EQ(at(1.375), (std::vector<double>{0, .5, 1, 1.375})) << "narrow";
+}
+
 TEST(grid_planes, pass_over_what_is_small_or_close_to_another)
 {
   const auto planes = planes_of(steps(1.7, 1.75), .5); // a step of a tenth of a cell

@@ -4,6 +4,7 @@
 // Samples of a surface: as dense as they should be on one of the size of the mesh, and not more than in proportion to
 // the mesh on one of any other size.
 
+#include <CGAL/Hex_mesh_optimization/internal/surface/crest_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <vector>
@@ -127,6 +129,52 @@ TEST(Surface_samples, divide_needles_along_their_length)
     for (std::size_t i = 0; i + 1 < along.size(); ++i)
       EXPECT_LT(along[i + 1] - along[i], 2);
   }
+}
+
+// They are on the edges of a cube and nowhere else, evenly, and stand for a strip along each.
+TEST(Crest_samples, are_on_sharp_edges)
+{
+  const Surface cube(1);
+  const double width = .1;
+  const std::vector<Surface_sample> samples = crest_samples(Triangle_surface(cube.points, cube.triangles),
+                                                            number_of_faces, spacing, width);
+  double area = 0;
+  for (const Surface_sample& s : samples) {
+    int extreme = 0;
+    for (int d = 0; d < 3; ++d)
+      extreme += std::abs(s.point[d]) < 1e-12 || std::abs(s.point[d] - 3) < 1e-12;
+    EXPECT_EQ(extreme, 2) << s.point.transpose();
+    EXPECT_EQ(s.vertex, -1);
+    area += s.area;
+  }
+  EXPECT_NEAR(area, 12 * 3 * width, 1e-12);
+  EXPECT_EQ(samples.size(), 12 * 3 * 2u) << "edges of length 1 in two parts each";
+}
+
+// Sheets that meet in a sharp edge, one on each side, have none there.
+TEST(Crest_samples, are_of_single_sheets)
+{
+  const Surface cube(1);
+  std::vector<int> sheets;
+  for (const Triangle_indices& t : cube.triangles) {
+    const Vector_3 n = (cube.points[t[1]] - cube.points[t[0]]).cross(cube.points[t[2]] - cube.points[t[0]]);
+    sheets.push_back(n[2] > .1 ? 1 : 0); // the top
+  }
+  std::vector<std::size_t> number(2, 0);
+  for (const Surface_sample& s :
+       crest_samples(Triangle_surface(cube.points, cube.triangles, sheets), number_of_faces, spacing, 1)) {
+    ++number[s.sheet];
+  }
+  EXPECT_EQ(number[0], 8 * 3 * 2u);
+  EXPECT_EQ(number[1], 0u) << "flat";
+}
+
+// As many as the mesh can use, however long the edges are.
+TEST(Crest_samples, of_an_oversized_surface_are_in_proportion_to_the_mesh)
+{
+  const Surface cube(1e100);
+  EXPECT_LE(crest_samples(Triangle_surface(cube.points, cube.triangles), number_of_faces, spacing, 1).size(),
+            12 * 3 * 64u);
 }
 
 } // namespace

@@ -11,7 +11,8 @@
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_ATTACHMENT_BY_MATCHING_H
 
 // Attachment to a reference of its own: every corner takes the nearest boundary
-// vertex, every curve the shortest path of boundary edges that follows it.
+// vertex, every curve the shortest path of boundary edges that follows it, and
+// curves that want the same vertices come to terms.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Grouped_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
@@ -26,6 +27,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,29 +53,46 @@ public:
       complex.number_of_vertices(), ends.size(), [&](std::size_t k) { return ends[k]; },
       [&](std::size_t k) { return ends[k ^ 1]; });
     std::vector<int> vertex_of(surface.points.size(), -1);
-    for (int corner : surface.corners) {
-      if (corner >= end)
-        continue;
-      const int v = nearest_free_vertex(surface.points[corner]);
-      if (v < 0)
-        continue;
-      vertex_of[corner] = v;
-      attachment.to_corner(v, surface, corner);
-    }
+    attach_corners(end, vertex_of);
+    std::vector<Path> paths;
     for (std::size_t c = 0; c < surface.curves.size(); ++c)
-      if (surface.curves[c]->vertices.front() < end)
-        match(static_cast<int>(c), vertex_of);
+      if (surface.curves[c]->vertices.front() < end) {
+        std::vector<int> stations = stations_of(*surface.curves[c], vertex_of);
+        if (!stations.empty())
+          paths.push_back({static_cast<int>(c), std::move(stations), {}});
+      }
+    users_.resize(points.size(), 0);
+    disputes_.resize(points.size(), 0);
+    cost_.resize(points.size(), std::numeric_limits<double>::infinity());
+    previous_.resize(points.size(), -1);
+    negotiate(paths);
+    attach(paths);
   }
 
   Boundary_attachment attachment;
 
 private:
+  struct Path
+  {
+    int curve;
+    std::vector<int> stations, vertices; // no vertices: none was found
+  };
+
   // A path and its curve differ in length by no more than this factor.
   static constexpr double most_detour = 2;
   // No edge of a path is farther from the curve, in its own lengths.
   static constexpr double farthest = 2;
   // What an edge costs more, in its own lengths, when it is its own length away from the curve.
   static constexpr double cost_of_leaving = 10;
+  // An open curve that is so much longer than its ends are apart is followed by way of others of its places: the
+  // shortest path between its ends is another way round.
+  static constexpr double bent = 3;
+  // What an edge costs more, in its own lengths, when another curve uses the vertex that it leads to: in each round by
+  // a factor more; and for each round in which that was so before.
+  static constexpr int rounds = 20;
+  static constexpr double cost_of_sharing = 1;
+  static constexpr double growth_of_cost = 1.3;
+  static constexpr double cost_of_dispute = .5;
 
   double mean_edge_around(int v) const
   {
@@ -96,51 +115,150 @@ private:
     return best >= 0 && std::sqrt(nearest) <= mean_edge_around(best) ? best : -1;
   }
 
-  void match(int c, const std::vector<int>& vertex_of)
+  // The nearest pairs first: a vertex that two corners want goes to the one that it is nearer to. O(corners · vertices).
+  void attach_corners(int end, std::vector<int>& vertex_of)
   {
-    const Feature_curve& curve = *surface_.curves[c];
-    // A closed curve is followed from a third of its length to the next.
+    using Pair = std::tuple<double, int, int>; // distance, corner, vertex
+    std::priority_queue<Pair, std::vector<Pair>, std::greater<Pair>> pairs;
+    const auto propose = [&](int corner) {
+      const int v = nearest_free_vertex(surface_.points[corner]);
+      if (v >= 0)
+        pairs.emplace((points_[v] - surface_.points[corner]).norm(), corner, v);
+    };
+    for (int corner : surface_.corners)
+      if (corner < end)
+        propose(corner);
+    while (!pairs.empty()) {
+      const auto [distance, corner, v] = pairs.top();
+      pairs.pop();
+      if (attachment.kind[v] != Vertex_kind::SURFACE)
+        propose(corner);
+      else {
+        vertex_of[corner] = v;
+        attachment.to_corner(v, surface_, corner);
+      }
+    }
+  }
+
+  // The vertices that a path along the curve has to pass, the ends among them; none if they cannot be told. A closed
+  // curve is followed from a third of its length to the next.
+  std::vector<int> stations_of(const Feature_curve& curve, const std::vector<int>& vertex_of) const
+  {
+    const std::vector<int>& v = curve.vertices;
+    const std::size_t n = v.size() - 1;
     std::vector<int> stations;
+    const auto add_nearest = [&](std::size_t k) {
+      stations.push_back(nearest_free_vertex(surface_.points[v[k * n / 3]]));
+    };
     if (curve.is_closed()) {
-      const std::size_t n = curve.vertices.size() - 1;
       for (std::size_t k = 0; k < 3; ++k)
-        stations.push_back(nearest_free_vertex(surface_.points[curve.vertices[k * n / 3]]));
+        add_nearest(k);
       stations.push_back(stations.front());
     }
-    else
-      stations = {vertex_of[curve.vertices.front()], vertex_of[curve.vertices.back()]};
+    else {
+      stations.push_back(vertex_of[v.front()]);
+      if (curve.length > bent * (surface_.points[v.front()] - surface_.points[v.back()]).norm())
+        for (std::size_t k = 1; k < 3; ++k)
+          add_nearest(k);
+      stations.push_back(vertex_of[v.back()]);
+    }
+    for (std::size_t k = 0; k + 1 < stations.size(); ++k)
+      if (stations[k] < 0 || stations[k + 1] < 0 || stations[k] == stations[k + 1])
+        return {};
+    return stations;
+  }
+
+  // Each time that paths share vertices, those that do look for others, as what is in demand gets more expensive: it is
+  // left to the curve that has no other way (L. McMurchie, C. Ebeling, PathFinder, 1995). O(rounds · paths · edges near
+  // a curve · log) at the worst; where no two meet, once.
+  void negotiate(std::vector<Path>& paths)
+  {
+    for (int round = 0; round < rounds; ++round) {
+      bool any = false;
+      for (Path& path : paths)
+        if (round == 0 || is_shared(path)) {
+          any = true;
+          find(path);
+        }
+      if (!any)
+        return;
+      for (std::size_t v = 0; v < users_.size(); ++v)
+        if (users_[v] > 1)
+          ++disputes_[v];
+      sharing_ *= growth_of_cost;
+    }
+  }
+
+  // Those that agree first; each of the others takes what is left.
+  void attach(std::vector<Path>& paths)
+  {
+    std::vector<Path*> others;
+    for (Path& path : paths)
+      if (is_shared(path))
+        others.push_back(&path);
+      else
+        attachment.to_curve(complex_, path.vertices, path.curve);
+    for (Path* path : others) {
+      find(*path);
+      attachment.to_curve(complex_, path->vertices, path->curve);
+    }
+  }
+
+  // Calls visit(vertex) for those that are the path's alone: all but the corners at its ends.
+  template <class Visit>
+  void for_own_vertices(const Path& path, const Visit& visit) const
+  {
+    for (int v : path.vertices)
+      if (attachment.kind[v] != Vertex_kind::CORNER)
+        visit(v);
+  }
+
+  bool is_shared(const Path& path) const
+  {
+    bool result = false;
+    for_own_vertices(path, [&](int v) { result = result || users_[v] > 1; });
+    return result;
+  }
+
+  // Looks for a new way past the stations.
+  void find(Path& path)
+  {
+    for_own_vertices(path, [&](int v) { --users_[v]; });
+    path.vertices = path_of(*surface_.curves[path.curve], path.stations);
+    for_own_vertices(path, [&](int v) { ++users_[v]; });
+  }
+
+  std::vector<int> path_of(const Feature_curve& curve, const std::vector<int>& stations)
+  {
     std::vector<int> path;
     double length = 0;
     for (std::size_t k = 0; k + 1 < stations.size(); ++k) {
-      if (stations[k] < 0 || stations[k + 1] < 0 || stations[k] == stations[k + 1])
-        return;
       const std::vector<int> part = follow(curve, stations[k], stations[k + 1]);
       if (part.empty())
-        return;
+        return part;
       for (std::size_t i = 0; i + 1 < part.size(); ++i)
         length += (points_[part[i + 1]] - points_[part[i]]).norm();
       path.insert(path.end(), part.begin() + (path.empty() ? 0 : 1), part.end());
     }
     // a path that takes another way round is no match
     if (length > most_detour * curve.length || most_detour * length < curve.length)
-      return;
-    attachment.to_curve(complex_, path, c);
+      path.clear();
+    return path;
   }
 
   // Dijkstra over boundary edges; leaving the curve by an edge's length makes it longer.
-  std::vector<int> follow(const Feature_curve& curve, int from, int to) const
+  std::vector<int> follow(const Feature_curve& curve, int from, int to)
   {
     using Entry = std::pair<double, int>;
-    std::vector<double> cost(points_.size(), std::numeric_limits<double>::infinity());
-    std::vector<int> previous(points_.size(), -1);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    cost[from] = 0;
+    std::vector<int> reached = {from};
+    cost_[from] = 0;
     queue.emplace(0.0, from);
     while (!queue.empty() && queue.top().second != to) {
       const Entry top = queue.top();
       queue.pop();
       const int v = top.second;
-      if (top.first > cost[v])
+      if (top.first > cost_[v])
         continue;
       for (int u : neighbors_[v]) {
         if (attachment.kind[u] != Vertex_kind::SURFACE && u != to)
@@ -152,20 +270,25 @@ private:
           (curve.closest_point((points_[u] + points_[v]) / 2).point - (points_[u] + points_[v]) / 2).norm() / h;
         if (off > farthest)
           continue;
-        const double next = top.first + h * (1 + cost_of_leaving * off * off);
-        if (next < cost[u]) {
-          cost[u] = next;
-          previous[u] = v;
+        const double disputed = u == to ? 0 : sharing_ * users_[u] + cost_of_dispute * disputes_[u];
+        const double next = top.first + h * (1 + cost_of_leaving * off * off + disputed);
+        if (next < cost_[u]) {
+          reached.push_back(u);
+          cost_[u] = next;
+          previous_[u] = v;
           queue.emplace(next, u);
         }
       }
     }
     std::vector<int> path;
-    if (!std::isfinite(cost[to]))
-      return path;
-    for (int v = to; v != -1; v = previous[v])
-      path.push_back(v);
+    if (std::isfinite(cost_[to]))
+      for (int v = to; v != -1; v = previous_[v])
+        path.push_back(v);
     std::reverse(path.begin(), path.end());
+    for (int v : reached) {
+      cost_[v] = std::numeric_limits<double>::infinity();
+      previous_[v] = -1;
+    }
     return path;
   }
 
@@ -173,6 +296,10 @@ private:
   const Positions& points_;
   const Reference_surface& surface_;
   Grouped_array neighbors_;
+  std::vector<int> users_, disputes_; // of each vertex: paths, and rounds in which there were several
+  double sharing_ = cost_of_sharing;
+  std::vector<double> cost_; // of the way to each vertex; infinite between searches
+  std::vector<int> previous_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

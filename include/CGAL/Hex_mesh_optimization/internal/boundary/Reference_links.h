@@ -22,6 +22,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Target.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/crest_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include <array>
@@ -50,8 +51,10 @@ public:
     Vector_3 direction;   // unit vector between the two, or a normal where they coincide; zero beyond a rim
   };
 
-  // faces: with the same sheets as the surface. spacing: of the samples.
-  Reference_links(const Surface_faces& faces, const Triangle_surface& surface, double spacing)
+  // faces: with the same sheets as the surface. spacing: of the samples. crest_spacing, crest_width: of those on sharp
+  // edges, of which there are none without a width.
+  Reference_links(const Surface_faces& faces, const Triangle_surface& surface, double spacing, double crest_spacing = 1,
+                  double crest_width = 0)
     : triangles_(split_quads(faces.quads))
     , sheets_(triangle_sheets(faces))
     , rims_(triangle_rims(faces))
@@ -76,6 +79,10 @@ public:
       for (std::size_t i = begin; i < end; ++i)
         for (int v : surface.triangles[order[i]])
           around[v] = 0;
+    }
+    if (crest_width > 0) {
+      const std::vector<Surface_sample> crests = crest_samples(surface, faces.quads.size(), crest_spacing, crest_width);
+      samples_.insert(samples_.end(), crests.begin(), crests.end());
     }
   }
 

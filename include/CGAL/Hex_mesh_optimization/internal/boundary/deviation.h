@@ -17,6 +17,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/crest_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include <algorithm>
@@ -57,7 +58,10 @@ struct Sampled_distances
 inline void extend_deviations(const Triangle_surface& from, const Triangle_surface& to,
                               std::size_t number_of_boundary_faces, double spacing, Deviations& deviations)
 {
-  const std::vector<Surface_sample> samples = spread_samples(from, number_of_boundary_faces, spacing);
+  std::vector<Surface_sample> samples = spread_samples(from, number_of_boundary_faces, spacing);
+  // for the maximum only: they have no area
+  const std::vector<Surface_sample> crests = crest_samples(from, number_of_boundary_faces, spacing, 0);
+  samples.insert(samples.end(), crests.begin(), crests.end());
   using Of_sheets = std::vector<Sampled_distances>;
   const auto parts = results_of_ranges<Of_sheets>(
     samples.size(),

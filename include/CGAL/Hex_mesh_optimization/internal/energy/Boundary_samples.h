@@ -49,6 +49,13 @@ struct Boundary_sample_parameters
   double pull_weight = 10.2;
   double curve_pull_weight = .5;
   double reference_spacing = .8;
+  // Of samples on sharp edges of a reference that the mesh has to be brought to, or that it is bound to: edges that are no
+  // features, or that no edge of the mesh follows, are cut off where no sample is on them (measured on an organic model
+  // and a CAD part that are meshed with 8,000 hexahedra: without these samples the maximum deviations are 5.8e-3 and 4.8e-3 of
+  // the diagonal instead of 3.9e-3 and 4.1e-3). Each stands for an area of its length times the width. A boundary that
+  // is its own reference is too rough for that: the average scaled Jacobian of an organic model falls by .0015.
+  double crest_spacing = .3;
+  double crest_width = .25;
   // Factor for features.
   double feature_weight = 4.6;
   // Bound of the distances of interfaces, in units of the scale: between the samples it may be somewhat more, and a tenth
@@ -139,7 +146,8 @@ public:
     , own_count_(add_samples(complex))
     , targets_(surface, own_count_)
     , reference_links_(faces_, surface,
-                       parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1))
+                       parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1),
+                       parameters.crest_spacing, this->has_tolerance() ? parameters.crest_width : 0)
     , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
   {}
 

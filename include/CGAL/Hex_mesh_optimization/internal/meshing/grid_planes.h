@@ -108,7 +108,7 @@ inline Matrix_3 grid_axes(const Positions& points, const std::vector<Triangle_in
 }
 
 // Across each axis: the flat parts of the surface that lie across it, the largest first, unless they are too small or too
-// close to others; evenly divided between.
+// close to others; evenly divided between, the strip between two parts into two at least, unless that is too narrow.
 inline std::array<std::vector<double>, 3> grid_planes(const Positions& points,
                                                       const std::vector<Triangle_indices>& triangles,
                                                       const Eigen::AlignedBox3d& box, double spacing,
@@ -148,7 +148,10 @@ inline std::array<std::vector<double>, 3> grid_planes(const Positions& points,
     for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
       if (i > 0)
         result[axis].pop_back(); // the end of the interval before
-      const std::vector<double> interval = Voxel_grid::divided(planes[i], planes[i + 1], spacing);
+      const double width = planes[i + 1] - planes[i];
+      const bool is_strip = planes.size() > 2 && width >= parameters.least_width_of_two * spacing;
+      const double part = is_strip ? (std::min)(spacing, width / 2) : spacing;
+      const std::vector<double> interval = Voxel_grid::divided(planes[i], planes[i + 1], part);
       result[axis].insert(result[axis].end(), interval.begin(), interval.end());
     }
   }

@@ -24,24 +24,25 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// The edges whose triangles deviate from flat by more than the bound, in degrees, and those with one triangle or more
-// than two.
-inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles,
-                             double angle_bound)
+// Whether the two triangles on an edge deviate from flat by more than the bound, in degrees.
+inline bool is_bent(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                    const Triangle_adjacency::Sides& sides, double angle_bound)
 {
   const auto normal = [&](int t) {
     const Vector_3& a = points[triangles[t][0]];
     return Vector_3((points[triangles[t][1]] - a).cross(points[triangles[t][2]] - a));
   };
-  const double bound = std::cos(angle_bound * CGAL_PI / 180);
+  const Vector_3 m = normal(sides[0].triangle), n = normal(sides[1].triangle);
+  return m.dot(n) < std::cos(angle_bound * CGAL_PI / 180) * m.norm() * n.norm();
+}
+
+// The edges that are bent by more than the bound, in degrees, and those with one triangle or more than two.
+inline Edge_list sharp_edges(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                             double angle_bound)
+{
   Edge_list sharp;
   Triangle_adjacency(triangles).for_each_edge([&](const Triangle_adjacency::Sides& sides) {
-    bool is_sharp = sides.size() != 2;
-    if (!is_sharp) {
-      const Vector_3 m = normal(sides[0].triangle), n = normal(sides[1].triangle);
-      is_sharp = m.dot(n) < bound * m.norm() * n.norm();
-    }
-    if (is_sharp)
+    if (sides.size() != 2 || is_bent(points, triangles, sides, angle_bound))
       sharp.push_back(sides[0].edge);
   });
   return sharp;
