@@ -44,9 +44,11 @@ struct Maximization_parameters
   // Factor of all attachment weights. A tighter start freezes the minimum (measured: .07 instead of .70).
   double start_tightness = .02;
   // The phase ends when the minimum has not gained so much in so many iterations, when it is as high as is worth
-  // holding and the average has not changed so much in so many, or after so many.
-  double climbing_gain = .005;
-  std::size_t climbing_patience = 6;
+  // holding and the average has not changed so much in so many, or after so many (measured on seven surfaces that were
+  // meshed with 8,000 hexahedra: with a gain of .005 in six there are up to a quarter more iterations of all phases, and
+  // minima differ by no more than .004; with .01 in six a CAD part loses .01).
+  double climbing_gain = .012;
+  std::size_t climbing_patience = 8;
   double climbing_change_of_average = 6e-4;
   std::size_t climbing_patience_for_average = 3;
   std::size_t climbing_iterations = 60;
