@@ -204,13 +204,15 @@ private:
     }
   }
 
-  // Calls visit(vertex) for those that are the path's alone: all but the corners at its ends.
+  // Calls visit(vertex) for those that are the path's alone: all but the corners at its ends. Where a closed one begins
+  // it ends too, which is once.
   template <class Visit>
   void for_own_vertices(const Path& path, const Visit& visit) const
   {
-    for (int v : path.vertices)
-      if (attachment.kind[v] != Vertex_kind::CORNER)
-        visit(v);
+    for (std::size_t i = 0; i < path.vertices.size(); ++i)
+      if (attachment.kind[path.vertices[i]] != Vertex_kind::CORNER &&
+          (i == 0 || path.vertices[i] != path.vertices.front()))
+        visit(path.vertices[i]);
   }
 
   bool is_shared(const Path& path) const
