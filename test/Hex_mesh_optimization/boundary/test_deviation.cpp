@@ -59,7 +59,6 @@ TEST(Deviations, of_what_has_not_moved_are_zero)
     EXPECT_LT(s.maximum, 1e-14);
 }
 
-// An interface that has moved onto another one is as far from its own place as before
 // The mesh cuts an edge of the reference off: what is farthest is on that edge, between its ends.
 TEST(Deviations, are_those_of_sharp_edges_too)
 {
@@ -76,6 +75,7 @@ TEST(Deviations, are_those_of_sharp_edges_too)
   EXPECT_GT(d.all.maximum, .9 * expected);
 }
 
+// An interface that has moved onto another one is as far from its own place as before
 TEST(Deviations, of_a_sheet_are_from_its_own_place)
 {
   const Layers layers(4);
