@@ -86,11 +86,12 @@ public:
     }
   }
 
-  // One link for every sample, always in the same order. A link whose vertices have moved by less than `still` since it
+  // One link for every sample, in the order in which they came. A link whose vertices have moved by less than `still` since it
   // was found stays as it is.
   const std::vector<Link>& update(const Positions& points, double still)
   {
     const bool is_first = links_.empty();
+    const std::size_t linked = links_.size();
     links_.resize(samples_.size());
     found_at_.resize(samples_.size());
     if (is_first || !is_known(points)) {
@@ -107,12 +108,23 @@ public:
     for_each(
       samples_.size(),
       [&](std::size_t i) {
-        links_[i].is_new = is_first || has_moved(links_[i], found_at_[i], points, still);
+        if (!is_first && i >= linked) // the search starts from a triangle
+          links_[i].triangle =
+            known_->closest_point(samples_[i].point, Surface_point::no_hint, samples_[i].sheet).triangle;
+        links_[i].is_new = i >= linked || has_moved(links_[i], found_at_[i], points, still);
         if (links_[i].is_new)
           find_link(i, points, normals.get());
       },
       searches_of_range);
     return links_;
+  }
+
+  // Further samples, whose links come after the others.
+  void add(const std::vector<Surface_sample>& samples)
+  {
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+    if (known_)
+      nearby_.add(samples.size());
   }
 
 private:

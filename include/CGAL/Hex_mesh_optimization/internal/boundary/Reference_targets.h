@@ -40,6 +40,14 @@ public:
     nearby_.reset(points);
   }
 
+  // Further points.
+  void add(std::size_t points)
+  {
+    queried_at_.resize(queried_at_.size() + points, Vector_3::Constant(std::numeric_limits<double>::infinity()));
+    triangles_.resize(triangles_.size() + points, no_triangle);
+    nearby_.add(points);
+  }
+
   // Whether point i, now at p, is as far as `still` from where this last was true: only then its target has to be found
   // anew.
   bool has_moved(std::size_t i, const Vector_3& p, double still)
@@ -65,6 +73,12 @@ public:
     if (at_rim != Rims::none)
       return Target::in_direction(q.point, surface_.plane_normal(at_rim));
     return Target::on_plane(q.point, p, surface_.normal(q.triangle, q.coordinates));
+  }
+
+  // How far point i would be from its sheet if it were at p.
+  double distance(std::size_t i, const Vector_3& p, int sheet)
+  {
+    return surface_.way(p, closest_point(i, p, sheet)).norm();
   }
 
 private:

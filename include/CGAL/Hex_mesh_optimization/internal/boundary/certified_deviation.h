@@ -147,6 +147,12 @@ private:
   int size_ = 0;
 };
 
+struct Found_in_triangle
+{
+  std::size_t triangle;
+  Vector_3 where;
+};
+
 // The largest distance of the points of one surface to another.
 class One_sided_distance
 {
@@ -224,6 +230,30 @@ public:
     double result = 0;
     for (const Bounded& b : bounds)
       result = (std::max)(result, b.bound);
+    return result;
+  }
+
+  // About the farthest place of each triangle that is farther than the target somewhere; what is not found within so
+  // many pieces is missing. After sample().
+  std::vector<Found_in_triangle> farthest_places(double target, const Certification_parameters& parameters) const
+  {
+    const auto of_ranges = results_of_ranges<std::vector<Found_in_triangle>>(
+      from_.triangles.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Found_in_triangle> places;
+        std::vector<Piece> heap;
+        for (std::size_t t = begin; t < end; ++t) {
+          Found here;
+          bound(t, target, parameters.tolerance, parameters.pieces, heap, here);
+          if (here.distance > target)
+            places.push_back({t, here.where});
+        }
+        return places;
+      },
+      grain);
+    std::vector<Found_in_triangle> result;
+    for (const std::vector<Found_in_triangle>& places : of_ranges)
+      result.insert(result.end(), places.begin(), places.end());
     return result;
   }
 
@@ -408,6 +438,18 @@ private:
   std::vector<Surface_point> foot_; // of the center of each triangle
 };
 
+// How far distances between points of the two may be off: by some tens of operations, each by some 1e-16 of the
+// coordinates.
+inline double rounding_of_distances(const Triangle_surface& first, const Triangle_surface& second)
+{
+  double extent = 0;
+  for (const Triangle_surface* surface : {&first, &second})
+    for (const Triangle_indices& t : surface->triangles)
+      for (int v : t)
+        extent = (std::max)(extent, surface->points[v].lpNorm<Eigen::Infinity>());
+  return 1e-12 * extent;
+}
+
 // Of two surfaces, sheet by sheet; target: the bound to show. O(n log n) for n triangles that lie over each other like those of two
 // meshes of one shape. What is found does not depend on the number of threads. Nothing is shown if a surface is empty.
 inline Certified_deviation certified_distance(const Triangle_surface& first, const Triangle_surface& second,
@@ -417,12 +459,7 @@ inline Certified_deviation certified_distance(const Triangle_surface& first, con
   Certified_deviation result;
   if (first.is_empty() || second.is_empty())
     return result;
-  double extent = 0;
-  for (const Triangle_surface* surface : {&first, &second})
-    for (const Triangle_indices& t : surface->triangles)
-      for (int v : t)
-        extent = (std::max)(extent, surface->points[v].lpNorm<Eigen::Infinity>());
-  const double rounding = 1e-12 * extent; // of some tens of operations, each some 1e-16 of the coordinates
+  const double rounding = rounding_of_distances(first, second);
   One_sided_distance there(first, second, rounding), back(second, first, rounding);
   One_sided_distance::Found found;
   there.sample(found);
@@ -433,6 +470,20 @@ inline Certified_deviation certified_distance(const Triangle_surface& first, con
   result.where = found.where;
   result.is_shown = result.upper_bound <= target;
   return result;
+}
+
+// About the farthest place of each triangle of one surface that is farther than the target from the other somewhere.
+// None if a surface is empty. O(n log n), as above.
+inline std::vector<Found_in_triangle>
+farthest_places(const Triangle_surface& from, const Triangle_surface& to, double target,
+                const Certification_parameters& parameters = Certification_parameters())
+{
+  if (from.is_empty() || to.is_empty())
+    return {};
+  One_sided_distance distance(from, to, rounding_of_distances(from, to));
+  One_sided_distance::Found found;
+  distance.sample(found);
+  return distance.farthest_places(target, parameters);
 }
 
 // Of faces of the mesh, each as two triangles, and the reference.

@@ -24,8 +24,14 @@
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Solid_thickness.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Target.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
 
 #include <algorithm>
 #include <array>
@@ -60,7 +66,7 @@ struct Boundary_sample_parameters
   double feature_weight = 4.6;
   // Bound of the distances of interfaces, in units of the scale: between the samples it may be somewhat more, and a tenth
   // of an edge is what an interface may be off.
-  double interface_deviation = .085;
+  double interface_deviation = .078;
   // Samples keep their targets until they have moved this far, in units of the scale.
   double still_distance = .02;
 
@@ -94,6 +100,9 @@ struct Boundary_sample_parameters
   int parts = 4;
   double further_weight = .1;
   double reference_refinement = .5;
+  // What a sample at a place that was found beyond the bound weighs, and the area that it stands for on the reference.
+  double weight_beyond = .1;
+  double area_beyond = .05;
 };
 
 // A point Σ share_k · vertex_k of a face and where it should be.
@@ -166,9 +175,11 @@ public:
       },
       searches_of_range);
     const std::vector<Reference_links::Link>& links = reference_links_.update(points, parameters_.still_distance);
-    samples_.resize(own_count_ + links.size() + curve_links_.size());
+    const bool have_come = link_count_ != links.size();
+    link_count_ = links.size();
+    samples_.resize(own_count_ + link_count_ + curve_links_.size());
     for_each(links.size(), [&](std::size_t i) {
-      if (links[i].is_new)
+      if (links[i].is_new || have_come)
         follow(links[i], samples_[own_count_ + i]);
     });
     for_each(
@@ -183,6 +194,30 @@ public:
       [](std::size_t i) { return static_cast<int>(i); });
   }
 
+  // Where all distances are bounded: adds a sample at the farthest place of each triangle of the mesh and of the
+  // reference that is beyond the bound somewhere, which the other samples do not see; whether there are such places. An
+  // exchange method for infinitely many constraints. O(n log n); update() has to follow.
+  bool add_where_beyond(const Positions& points)
+  {
+    const Triangle_surface faces = as_triangle_surface(faces_, points);
+    std::vector<Boundary_sample> own;
+    for (const Found_in_triangle& place : farthest_places(faces, surface_, maximum_deviation_)) {
+      const Surface_point p = closest_point_of_triangle(place.where, place.triangle, points, faces.triangles);
+      own.push_back(in_triangle(place.triangle, p.coordinates, parameters_.weight_beyond));
+      weigh(own.back(), square_of_edge(own.back()));
+    }
+    std::vector<Surface_sample> of_reference;
+    for (const Found_in_triangle& place : farthest_places(surface_, faces, maximum_deviation_))
+      of_reference.push_back({place.where, parameters_.area_beyond, -1, surface_.sheet(place.triangle)});
+    samples_.resize(own_count_);
+    samples_.insert(samples_.end(), own.begin(), own.end());
+    own_count_ += own.size();
+    targets_.add(own.size());
+    reference_links_.add(of_reference);
+    link_count_ = 0;
+    return !own.empty() || !of_reference.empty();
+  }
+
   // Those of the mesh first, then those of the reference.
   const std::vector<Boundary_sample>& samples() const { return samples_; }
   const std::vector<std::array<int, 4>>& faces() const { return faces_.quads; }
@@ -190,6 +225,7 @@ public:
   Grouped_array::Group of_face(std::size_t f) const { return of_face_[f]; }
 
   double wall_weight() const { return parameters_.wall_weight; }
+  double maximum_deviation() const { return maximum_deviation_; }
   bool has_tolerance() const { return is_bounded() || has_reference_of_its_own(); }
   // Whether the distances of some samples are bounded.
   bool is_bounded_everywhere() const { return std::isfinite(maximum_deviation_); }
@@ -215,17 +251,22 @@ public:
     return largest;
   }
 
-  // Tells which hexahedra have a sample that gets too far from its target when the points go to where they are reached.
+  // Tells which hexahedra have a sample that gets too far when the points go to where they are reached.
   void find_leaving(const Positions& points, const Positions& reached, const Hexahedral_complex& complex,
-                    std::vector<char>& is_leaving) const
+                    std::vector<char>& is_leaving)
   {
     if (!is_bounded())
       return;
     std::vector<char> leaves(samples_.size(), false);
     for_each(samples_.size(), [&](std::size_t i) {
       const Boundary_sample& s = samples_[i];
-      const double now = s.offset(points).norm(), then = s.offset(reached).norm();
-      leaves[i] = then > now && then > parameters_.most_of_bound * (std::max)(s.bound, parameters_.most_growth * now);
+      const double now = s.offset(points).norm(),
+                   most = parameters_.most_of_bound * (std::max)(s.bound, parameters_.most_growth * now);
+      double then = s.offset(reached).norm();
+      // only the way of what moves so far has to be looked at more closely
+      if (then <= most && now + (s.place(reached) - s.place(points)).norm() > most)
+        then = (std::max)(then, distance(i, reached));
+      leaves[i] = then > now && then > most;
     });
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (leaves[i])
@@ -236,6 +277,22 @@ public:
   }
 
 private:
+  // How far sample i would be from its surface, where the target that it has tells less than that: the surface may turn
+  // on the way.
+  double distance(std::size_t i, const Positions& reached)
+  {
+    const Boundary_sample& s = samples_[i];
+    if (s.kind != Vertex_kind::SURFACE)
+      return 0;
+    if (i < own_count_)
+      return targets_.distance(i, s.place(reached), faces_.sheet(s.face));
+    if (s.target.projector.isZero()) // beyond a rim
+      return 0;
+    const Vector_3 &a = reached[s.vertices[0]], &b = reached[s.vertices[1]], &c = reached[s.vertices[2]];
+    const std::array<double, 3> w = closest_point_of_triangle(s.target.place, a, b, c);
+    return (w[0] * a + w[1] * b + w[2] * c - s.target.place).norm();
+  }
+
   // A search takes some microseconds, one along a curve more.
   static constexpr std::size_t searches_of_range = 256, curve_searches_of_range = 64;
 
@@ -347,6 +404,16 @@ private:
     return {faces_.quads[f], shares, 4, static_cast<int>(f), weight, Vertex_kind::SURFACE, -1};
   }
 
+  // Of the two that each face is split into.
+  Boundary_sample in_triangle(std::size_t triangle, const std::array<double, 3>& coordinates, double weight) const
+  {
+    const std::array<double, 4> shares = triangle % 2 == 0
+                                           ? std::array<double, 4>{coordinates[0], coordinates[1], coordinates[2], 0}
+                                           : std::array<double, 4>{coordinates[0], 0, coordinates[1], coordinates[2]};
+    const std::size_t f = triangle / 2;
+    return {faces_.quads[f], shares, 4, static_cast<int>(f), weight, Vertex_kind::SURFACE, -1};
+  }
+
   void aim(std::size_t i, const Vector_3& p)
   {
     Boundary_sample& s = samples_[i];
@@ -454,8 +521,9 @@ private:
   const std::vector<double> edge_;      // local length, of each vertex of the faces
   const std::vector<double> thickness_; // of each face
   std::vector<Boundary_sample> samples_;
-  const std::size_t own_count_; // of those of the mesh
-  Reference_targets targets_;   // of those of the mesh
+  std::size_t own_count_;      // of those of the mesh
+  std::size_t link_count_ = 0; // of those of the reference
+  Reference_targets targets_;  // of those of the mesh
   Reference_links reference_links_;
   const Curve_links curve_links_;
   Grouped_array of_face_;

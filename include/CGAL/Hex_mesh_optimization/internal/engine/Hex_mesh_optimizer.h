@@ -30,6 +30,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/harmonic_start.h>
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
@@ -57,63 +58,29 @@ public:
     , report_(mesh_, model_, parameters_)
   {}
 
-  // Optimizes, one stage after the other: here is all that decides whether one starts, when it has done enough, and
-  // whether it is repeated. positions() are then the best found.
+  // Optimizes, one stage after the other: here, and in reach(), is all that decides whether one starts, when it has done
+  // enough, and whether it is repeated. positions() are then the best found.
   Status run()
   {
-    const bool is_full = parameters_.method == Method::FULL;
-    const double target = parameters_.target_quality;
-    const std::size_t n = mesh_.complex.hexahedra.size();
-    // In a full run rectification has done enough in any valid state, and where only a few hexahedra are inverted.
-    const double enough = is_full ? (std::min)(0.0, target) : target;
-    const std::size_t few = is_full ? static_cast<std::size_t>(parameters_.left_to_untangling * double(n)) : 0;
-    Positions points = model_.points;
-    Stage_end end = Stage_end::CONVERGED; // of the last stage that the result comes from
-
-    if (parameters_.method != Method::MAXIMIZATION && !control_.check_time()) {
-      const bool starts_harmonic = 2 * report_.status.before.number_of_inverted > n;
-      if (starts_harmonic)
-        points = harmonic_positions();
-      end = rectify(points, enough, few);
-      const Mesh_quality quality(mesh_.complex, points);
-      const bool is_rectified = few > 0 ? quality.inverted <= few : quality.invalid == 0;
-      if (!is_rectified && !starts_harmonic && !control_.is_stopped()) {
-        // what the given interior locks, another start may not
-        Positions other = harmonic_positions();
-        const Stage_end end_of_other = rectify(other, enough, few);
-        if (Mesh_quality(mesh_.complex, other).inverted < quality.inverted) {
-          points = std::move(other);
-          end = end_of_other;
-        }
+    Reached reached = reach(parameters_.method == Method::RECTIFICATION ? Start::RECTIFIED : Start::GIVEN);
+    if (parameters_.method == Method::FULL && boundary_samples().is_bounded() && reached.start == Start::GIVEN &&
+        !control_.is_stopped()) {
+      // what jams on its way from one start may have come in from another
+      if (excess(reached.points) > 0) {
+        Reached other = reach(Start::RECTIFIED);
+        if (standing_of(other.points) < standing_of(reached.points))
+          reached = std::move(other);
       }
     }
 
-    if (parameters_.method != Method::RECTIFICATION && !control_.check_time()) {
-      Mesh_quality quality(mesh_.complex, points);
-      if (quality.inverted > 0) {
-        const bool was_left = is_full && quality.inverted <= few;
-        end = untangle(points);
-        quality = Mesh_quality(mesh_.complex, points);
-        if (was_left && quality.inverted > 0 && !control_.is_stopped()) {
-          // those few are too much for untangling
-          rectify(points, enough, 0);
-          end = untangle(points);
-          quality = Mesh_quality(mesh_.complex, points);
-        }
-      }
-      const bool is_good = quality.invalid == 0 && quality.minimum >= target;
-      if (quality.inverted == 0 && !is_good && !control_.is_stopped())
-        end = maximize(points);
-    }
-
-    const double excess_before = excess(model_.points), excess_now = excess(points);
+    const double excess_before = excess(model_.points), excess_now = excess(reached.points);
     samples_.reset();
-    report_.certify(model_.in_coordinates(points), excess_before, excess_now);
+    report_.certify(model_.in_coordinates(reached.points), excess_before, excess_now);
     Status& status = report_.status;
-    status.return_code = control_.is_stopped()
-                           ? control_.return_code()
-                           : report_.return_code(end == Stage_end::ITERATION_LIMIT ? Return_code::ITERATION_LIMIT
-                                                                                   : Return_code::CONVERGED);
+    status.return_code = control_.is_stopped() ? control_.return_code()
+                                               : report_.return_code(reached.end == Stage_end::ITERATION_LIMIT
+                                                                       ? Return_code::ITERATION_LIMIT
+                                                                       : Return_code::CONVERGED);
     status.iterations = control_.iterations;
     status.total_seconds = control_.seconds();
     return status;
@@ -123,6 +90,83 @@ public:
   Positions positions() const { return mesh_.order.as_given(report_.positions()); }
 
 private:
+  enum class Start {
+    GIVEN,    // what is inverted is untangled where it is: most vertices stay where they were
+    RECTIFIED // all is brought into shape before
+  };
+
+  struct Reached
+  {
+    Positions points;
+    Stage_end end = Stage_end::CONVERGED; // of the last stage that the points come from
+    Start start;
+  };
+
+  // From the input through the stages that the method asks for. In a full run rectification takes over where untangling
+  // fails.
+  Reached reach(Start start)
+  {
+    const bool is_full = parameters_.method == Method::FULL;
+    const double target = parameters_.target_quality;
+    // In a full run rectification has done enough in any valid state, and where only a few hexahedra are inverted.
+    const double enough = is_full ? (std::min)(0.0, target) : target;
+    const std::size_t few = is_full ? static_cast<std::size_t>(parameters_.left_to_untangling *
+                                                               double(mesh_.complex.hexahedra.size()))
+                                    : 0;
+    Reached reached{model_.points, Stage_end::CONVERGED, start};
+    if (is_full && start == Start::GIVEN && number_of_inverted(reached.points) > 0 && !control_.check_time()) {
+      reached.end = untangle(reached.points, Untangling::Attempt::FIRST);
+      if (number_of_inverted(reached.points) > 0 && !control_.is_stopped())
+        reached = {model_.points, Stage_end::CONVERGED, Start::RECTIFIED};
+    }
+    if (reached.start == Start::RECTIFIED && !control_.check_time())
+      rectify_well(reached, enough, few);
+
+    if (parameters_.method == Method::RECTIFICATION || control_.check_time())
+      return reached;
+    if (const std::size_t inverted = number_of_inverted(reached.points); inverted > 0) {
+      reached.end = untangle(reached.points);
+      if (is_full && inverted <= few && number_of_inverted(reached.points) > 0 && !control_.is_stopped()) {
+        // those few are too much for untangling
+        rectify(reached.points, enough, 0);
+        reached.end = untangle(reached.points);
+      }
+    }
+    const Mesh_quality quality(mesh_.complex, reached.points);
+    const bool is_good = quality.invalid == 0 && quality.minimum >= target;
+    if (quality.inverted == 0 && !is_good && !control_.is_stopped())
+      reached.end = maximize(reached.points);
+    return reached;
+  }
+
+  // From the interior that suits it better.
+  void rectify_well(Reached& reached, double enough, std::size_t few)
+  {
+    const bool starts_harmonic = 2 * report_.status.before.number_of_inverted > mesh_.complex.hexahedra.size();
+    if (starts_harmonic)
+      reached.points = harmonic_positions();
+    reached.end = rectify(reached.points, enough, few);
+    const Mesh_quality quality(mesh_.complex, reached.points);
+    const bool is_rectified = few > 0 ? quality.inverted <= few : quality.invalid == 0;
+    if (is_rectified || starts_harmonic || control_.is_stopped())
+      return;
+    // what the given interior locks, another start may not
+    Positions other = harmonic_positions();
+    const Stage_end end_of_other = rectify(other, enough, few);
+    if (number_of_inverted(other) < quality.inverted) {
+      reached.points = std::move(other);
+      reached.end = end_of_other;
+    }
+  }
+
+  std::size_t number_of_inverted(const Positions& points) const { return Mesh_quality(mesh_.complex, points).inverted; }
+
+  Standing standing_of(const Positions& points)
+  {
+    const Mesh_quality quality(mesh_.complex, points);
+    return {quality.inverted, quality.invalid, excess(points), sliding(points).vertices_away().size()};
+  }
+
   // Adds the time of its life.
   class Timer
   {
@@ -154,12 +198,12 @@ private:
       .run(points, control_, target, tolerated);
   }
 
-  Stage_end untangle(Positions& points)
+  Stage_end untangle(Positions& points, Untangling::Attempt attempt = Untangling::Attempt::LAST)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
     return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.targets.lengths, sliding(points),
                       parameters_.untangling)
-      .run(points, control_);
+      .run(points, control_, attempt);
   }
 
   Stage_end maximize(Positions& points)

@@ -98,6 +98,7 @@ public:
     bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
     double called_at = 0, least_away = 0;                        // minimum, vertices
     std::size_t calls = 0, begun = 0, waited = 0, settled = 0;   // begun: the iteration in which climbing has
+    std::size_t stalled = 0, refinements = 0, unrefined = 0;     // iterations
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
@@ -179,15 +180,25 @@ public:
           least_excess = std::numeric_limits<double>::infinity();
           floor_.yield(parameters_.recovery);
         }
-        else if (excess < parameters_.excess_part * least_excess)
+        else if (excess < parameters_.excess_part * least_excess) {
           least_excess = excess;
+          stalled = 0;
+        }
         else if (samples_.is_bounded() && !samples_.is_bounded_everywhere() &&
                  shape_yield_ > parameters_.least_shape_yield) {
           shape_yield_ *= parameters_.shape_yielding;
           weigh_shape();
         }
-        else
+        else if (++stalled >= parameters_.yielding_patience) {
           floor_.yield(parameters_.yielding);
+          stalled = 0;
+        }
+        if (++unrefined >= parameters_.refinement_interval && refinements < parameters_.most_refinements) {
+          unrefined = 0;
+          ++refinements;
+          refine(points, best);
+          excess = samples_.excess(points);
+        }
       }
       // what was good is left as it was rather than loosely attached
       if (boundary_.tightness == 1 || !best.is_protected())
@@ -206,6 +217,18 @@ public:
       const bool is_good = !is_outside && quality.invalid == 0 && quality.minimum >= target_quality;
       if (!is_over && !is_settled && !is_good)
         continue;
+      if (!(best.excess() > 0) && refinements < parameters_.most_refinements) {
+        ++refinements;
+        points = best.points();
+        if (refine(points, best)) {
+          quality = Mesh_quality(complex_, points);
+          settled = 0;
+          settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
+          least_excess = std::numeric_limits<double>::infinity();
+          recovers = false;
+          continue;
+        }
+      }
       // what was let go may come after all, once those around it have given way
       if (!is_to_arrive && (calls == 0 || calls == parameters_.most_calls || !sliding_.recall_released())) {
         used_up = used_up || (is_over && !is_settled);
@@ -245,11 +268,24 @@ private:
     return is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations;
   }
 
+  // Adds samples where points are beyond the bound between those that there are, and judges the best state by them too.
+  // Whether there are such places; there are none without a bound, nor while what is to stand exactly somewhere is not
+  // there.
+  bool refine(const Positions& points, Best_state& best)
+  {
+    if (!samples_.is_bounded_everywhere() || sliding_.are_some_away() || !samples_.add_where_beyond(points))
+      return false;
+    samples_.update(best.points(), 1);
+    best.reassess(samples_.excess(best.points()));
+    samples_.update(points, boundary_.tightness);
+    return true;
+  }
+
   // From the first phase to the second: the shape counts for more, for lengths that suit the mesh.
   void relax(const Mesh_quality& quality, const Positions& points)
   {
-    shape_ = (samples_.is_bounded_everywhere() ? parameters_.bounded_shape : 1) * parameters_.shape_balance /
-             (parameters_.shape_balance_offset + 1 - quality.average);
+    bounded_shape_ = bounded_shape();
+    shape_ = bounded_shape_ * parameters_.shape_balance / (parameters_.shape_balance_offset + 1 - quality.average);
     weigh_shape();
     adapt_lengths(points);
   }
@@ -327,6 +363,15 @@ private:
     hexahedra_.set_target_lengths(lengths);
   }
 
+  double bounded_shape() const
+  {
+    if (!samples_.is_bounded_everywhere())
+      return 1;
+    const double tenths = 10 * samples_.maximum_deviation();
+    return (std::max)(1.0, (std::min)(parameters_.bounded_shape * std::pow(tenths, parameters_.bounded_shape_exponent),
+                                      parameters_.most_bounded_shape));
+  }
+
   void weigh_shape()
   {
     Hexahedron_energy_parameters energy = parameters_.energy;
@@ -334,6 +379,8 @@ private:
     energy.poor_shape_weight *= shape_ * shape_yield_;
     if (samples_.has_reference_of_its_own() && !samples_.is_bounded_everywhere())
       energy.poor_shape_weight *= parameters_.poor_shape_of_own;
+    energy.poor_shape_weight *= (std::max)(1.0, (std::min)(bounded_shape_ / parameters_.dearer_poor_shape,
+                                                           parameters_.most_bounded_poor_shape));
     hexahedra_.set_parameters(energy);
   }
 
@@ -351,6 +398,7 @@ private:
   Target_lengths targets_;             // of the edges
   double level_ = 0;                   // below which nothing gives way to arrivals, while there are any
   double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
+  double bounded_shape_ = 1;           // the part of the first that bounds ask for
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -61,11 +61,20 @@ public:
     highest_minimum_ = (std::max)(highest_minimum_, quality.minimum);
   }
 
+  // The excess of the state that is the best turns out to be this, and that of other states to be incomparable: any that
+  // is not worse than it follows.
+  void reassess(double excess)
+  {
+    standing_.excess = excess;
+    highest_minimum_ = minimum_;
+  }
+
   bool reaches(double target) const { return standing_.is_good() && minimum_ >= target; }
 
   const Positions& points() const { return points_; }
   std::size_t inverted() const { return standing_.inverted; }
   std::size_t invalid() const { return standing_.invalid; }
+  double excess() const { return standing_.excess; }
   double minimum() const { return minimum_; }
   // Of the states that differ in the minimum only.
   double highest_minimum() const { return highest_minimum_; }

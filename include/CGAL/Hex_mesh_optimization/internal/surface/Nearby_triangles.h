@@ -39,6 +39,9 @@ public:
   // Forgets all lists. points: how many ask.
   void reset(std::size_t points) { lists_.assign(points, List()); }
 
+  // Further points, without lists.
+  void add(std::size_t points) { lists_.resize(lists_.size() + points); }
+
   // The closest of the triangles listed for point i, which now is at p, without its normal. The triangles may have
   // moved by as much as `moved` since the list was made, to triangle_points. Nothing if another triangle could be
   // closer.

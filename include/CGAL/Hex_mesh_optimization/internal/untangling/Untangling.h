@@ -63,6 +63,8 @@ struct Untangling_parameters
 class Untangling
 {
 public:
+  enum class Attempt { FIRST, LAST };
+
   // Positions are in units of the mean boundary edge; lengths are the targets of the edges. distance: of the samples.
   // All but the numbers must outlive the object.
   Untangling(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
@@ -80,8 +82,8 @@ public:
   }
 
   // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and
-  // the best worst one if none is inverted. Does nothing if none is.
-  Stage_end run(Positions& points, Run_control& control)
+  // the best worst one if none is inverted. Does nothing if none is. A first attempt gives up where a last one widens.
+  Stage_end run(Positions& points, Run_control& control, Attempt attempt = Attempt::LAST)
   {
     Mesh_quality quality(complex_, points);
     if (quality.inverted == 0)
@@ -92,7 +94,8 @@ public:
       return best.inverted() == 0 &&
              (best.highest_minimum() >= parameters_.untangled || since >= parameters_.widening_patience);
     };
-    for (std::size_t i = 0; !is_done() && since < parameters_.patience && !control.is_stopped(); ++i) {
+    const std::size_t patience = attempt == Attempt::FIRST ? parameters_.widening_patience : parameters_.patience;
+    for (std::size_t i = 0; !is_done() && since < patience && !control.is_stopped(); ++i) {
       activate(quality, rings);
       const double lowest = (std::min)(hexahedra_.lowest_determinant(points), 0.0);
       hexahedra_.set_regularization(parameters_.least_regularization + parameters_.regularization * (lowest * lowest));
