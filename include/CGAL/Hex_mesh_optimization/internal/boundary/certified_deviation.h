@@ -233,9 +233,10 @@ public:
     return result;
   }
 
-  // About the farthest place of each triangle that is farther than the target somewhere; what is not found within so
-  // many pieces is missing. After sample().
-  std::vector<Found_in_triangle> farthest_places(double target, const Certification_parameters& parameters) const
+  // About the farthest place of each triangle that is farther than its target somewhere; what is not found within so
+  // many pieces is missing. target(triangle, near): of a triangle, near that one of the other surface. After sample().
+  template <class Target>
+  std::vector<Found_in_triangle> farthest_places(const Target& target, const Certification_parameters& parameters) const
   {
     const auto of_ranges = results_of_ranges<std::vector<Found_in_triangle>>(
       from_.triangles.size(),
@@ -243,9 +244,10 @@ public:
         std::vector<Found_in_triangle> places;
         std::vector<Piece> heap;
         for (std::size_t t = begin; t < end; ++t) {
+          const double most = target(t, foot_[t].triangle);
           Found here;
-          bound(t, target, parameters.tolerance, parameters.pieces, heap, here);
-          if (here.distance > target)
+          bound(t, most, parameters.tolerance, parameters.pieces, heap, here);
+          if (here.distance > most)
             places.push_back({t, here.where});
         }
         return places;
@@ -472,11 +474,12 @@ inline Certified_deviation certified_distance(const Triangle_surface& first, con
   return result;
 }
 
-// About the farthest place of each triangle of one surface that is farther than the target from the other somewhere.
-// None if a surface is empty. O(n log n), as above.
-inline std::vector<Found_in_triangle>
-farthest_places(const Triangle_surface& from, const Triangle_surface& to, double target,
-                const Certification_parameters& parameters = Certification_parameters())
+// About the farthest place of each triangle of one surface that is farther than its target from the other somewhere;
+// target: as above. None if a surface is empty. O(n log n) as for the bound.
+template <class Target>
+std::vector<Found_in_triangle> farthest_places(const Triangle_surface& from, const Triangle_surface& to,
+                                               const Target& target,
+                                               const Certification_parameters& parameters = Certification_parameters())
 {
   if (from.is_empty() || to.is_empty())
     return {};

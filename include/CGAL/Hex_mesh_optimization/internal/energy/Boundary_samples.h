@@ -66,7 +66,7 @@ struct Boundary_sample_parameters
   double feature_weight = 4.6;
   // Bound of the distances of interfaces, in units of the scale: between the samples it may be somewhat more, and a tenth
   // of an edge is what an interface may be off.
-  double interface_deviation = .078;
+  double interface_deviation = .085;
   // Samples keep their targets until they have moved this far, in units of the scale.
   double still_distance = .02;
 
@@ -194,20 +194,32 @@ public:
       [](std::size_t i) { return static_cast<int>(i); });
   }
 
-  // Where all distances are bounded: adds a sample at the farthest place of each triangle of the mesh and of the
-  // reference that is beyond the bound somewhere, which the other samples do not see; whether there are such places. An
-  // exchange method for infinitely many constraints. O(n log n); update() has to follow.
+  // Adds a sample at the farthest place of each triangle of the mesh and of the reference that is beyond its bound
+  // somewhere, which the other samples do not see; whether there are such places. An exchange method for infinitely many
+  // constraints. O(n log n); after an update(), which has to follow, too.
   bool add_where_beyond(const Positions& points)
   {
+    if (!is_bounded())
+      return false;
+    std::vector<double> bounds;
+    for (std::size_t f = 0; f < faces_.quads.size(); ++f) {
+      const Boundary_sample center = on_face(f, .5, .5, 1);
+      bounds.push_back(!is_bounded(center.face) || is_held_away_[f]
+                         ? std::numeric_limits<double>::infinity()
+                         : bound_of(center.face, scale_on_surface(center.face, local_edge(center))) /
+                             parameters_.kept_part);
+    }
     const Triangle_surface faces = as_triangle_surface(faces_, points);
     std::vector<Boundary_sample> own;
-    for (const Found_in_triangle& place : farthest_places(faces, surface_, maximum_deviation_)) {
+    for (const Found_in_triangle& place :
+         farthest_places(faces, surface_, [&](std::size_t triangle, std::size_t) { return bounds[triangle / 2]; })) {
       const Surface_point p = closest_point_of_triangle(place.where, place.triangle, points, faces.triangles);
       own.push_back(in_triangle(place.triangle, p.coordinates, parameters_.weight_beyond));
       weigh(own.back(), square_of_edge(own.back()));
     }
     std::vector<Surface_sample> of_reference;
-    for (const Found_in_triangle& place : farthest_places(surface_, faces, maximum_deviation_))
+    for (const Found_in_triangle& place :
+         farthest_places(surface_, faces, [&](std::size_t, std::size_t near) { return bounds[near / 2]; }))
       of_reference.push_back({place.where, parameters_.area_beyond, -1, surface_.sheet(place.triangle)});
     samples_.resize(own_count_);
     samples_.insert(samples_.end(), own.begin(), own.end());

@@ -273,7 +273,7 @@ private:
   // there.
   bool refine(const Positions& points, Best_state& best)
   {
-    if (!samples_.is_bounded_everywhere() || sliding_.are_some_away() || !samples_.add_where_beyond(points))
+    if (sliding_.are_some_away() || !samples_.add_where_beyond(points))
       return false;
     samples_.update(best.points(), 1);
     best.reassess(samples_.excess(best.points()));
