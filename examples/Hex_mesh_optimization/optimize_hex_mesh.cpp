@@ -80,8 +80,9 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
     ->type_name("FILE");
   app
-    .add_option("--method", o.method,
-                "rectification or the maximization of quality alone, or one after the other (full)")
+    .add_option(
+      "--method", o.method,
+      "rectification alone, untangling and the maximization of quality alone, or what the mesh needs of them (full)")
     ->type_name("METHOD")
     ->check(CLI::IsMember({"full", "rectification", "maximization"}))
     ->capture_default_str();

@@ -22,7 +22,8 @@ namespace CGAL::Hex_mesh_optimization {
  * How to optimize.
  */
 enum class Method {
-  FULL,          ///< Edge-cone rectification up to the first valid state, then quality maximization from there.
+  FULL, ///< Removal of inverted hexahedra, by edge-cone rectification where they cannot be untangled where they
+        ///< are, then quality maximization.
   RECTIFICATION, ///< Edge-cone rectification alone: the method of the paper.
   MAXIMIZATION   ///< Quality maximization alone, after the removal of inverted hexahedra: for nearly valid meshes.
 };
