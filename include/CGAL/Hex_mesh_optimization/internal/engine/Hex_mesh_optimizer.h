@@ -117,8 +117,11 @@ private:
                                                                double(mesh_.complex.hexahedra.size()))
                                     : 0;
     Reached reached{model_.points, Stage_end::CONVERGED, start};
-    if (is_full && start == Start::GIVEN && number_of_inverted(reached.points) > 0 && !control_.check_time()) {
-      reached.end = untangle(reached.points, Untangling::Attempt::FIRST);
+    const std::size_t given = number_of_inverted(reached.points);
+    if (is_full && start == Start::GIVEN && given > 0 && !control_.check_time()) {
+      const bool are_few = double(given) <= parameters_.untangled_as_given * double(mesh_.complex.hexahedra.size());
+      if (are_few)
+        reached.end = untangle(reached.points, Untangling::Attempt::FIRST);
       if (number_of_inverted(reached.points) > 0 && !control_.is_stopped())
         reached = {model_.points, Stage_end::CONVERGED, Start::RECTIFIED};
     }

@@ -28,6 +28,11 @@ struct Optimization_parameters : Chosen_parameters
   Untangling_parameters untangling;
   Maximization_parameters maximization;
   Certification_parameters certification; // of the bound of the deviation
+  // Up to this part of the hexahedra, those that are inverted are untangled where they are, before rectification is tried:
+  // most of the mesh tells where they should be (measured on eleven models, of which up to 1.6 % are inverted: maximum
+  // deviations of 1.1e-2 and 6.2e-3 of the diagonal become 6.4e-3 and 4.9e-3; where all vertices were scrambled or a part
+  // turned, the average may be .03 lower than after rectification).
+  double untangled_as_given = .03;
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
