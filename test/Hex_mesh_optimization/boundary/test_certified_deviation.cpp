@@ -84,6 +84,29 @@ void expect_same(const Certified_deviation& a, const Certified_deviation& b, dou
 
 // --- Where the distance is known -----------------------------------------------------------
 
+TEST(Farthest_places, are_those_of_the_triangles_beyond_their_targets)
+{
+  const Triangle_surface flat = sheet(4);
+  Positions points = flat.points;
+  points[12].z() = .1; // the center
+  const Triangle_surface raised(points, flat.triangles);
+  const std::vector<Found_in_triangle> places = farthest_places(raised, flat,
+                                                                [](std::size_t, std::size_t) { return .05; });
+  ASSERT_FALSE(places.empty());
+  for (const Found_in_triangle& place : places) {
+    const Triangle_indices& t = raised.triangles[place.triangle];
+    EXPECT_TRUE(t[0] == 12 || t[1] == 12 || t[2] == 12);
+    EXPECT_NEAR((place.where - points[12]).norm(), 0, .01) << "of each the farthest";
+  }
+  EXPECT_TRUE(farthest_places(raised, flat, [](std::size_t, std::size_t) { return .2; }).empty());
+  EXPECT_TRUE(farthest_places(flat, flat, [](std::size_t, std::size_t) { return 1e-9; }).empty());
+  const std::size_t only = places.front().triangle;
+  EXPECT_EQ(
+    farthest_places(raised, flat, [&](std::size_t t, std::size_t) { return t == only ? .05 : infinity; }).size(), 1u);
+  EXPECT_TRUE(farthest_places(flat, raised, [](std::size_t, std::size_t) { return .05; }).size() > 0)
+    << "the other way round";
+}
+
 TEST(Certified_deviation, of_parallel_sheets_is_their_distance)
 {
   for (double height : {.3, 1e-3, 1e-6})

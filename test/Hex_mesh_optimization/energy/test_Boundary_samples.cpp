@@ -85,6 +85,35 @@ TEST(Boundary_samples, are_bounded_where_there_is_an_interface)
     EXPECT_NEAR(s.bound, layers.parameters.kept_part * .01, 1e-12) << "the lower of two bounds";
 }
 
+// What the samples see already is seen by the added ones as well, which stay from then on.
+TEST(Boundary_samples, are_added_where_the_mesh_is_beyond_the_bound)
+{
+  const Layers layers(false);
+  Boundary_samples samples = layers.samples(.1);
+  samples.update(layers.block.points, 1);
+  const std::size_t before = samples.samples().size();
+  EXPECT_FALSE(samples.add_where_beyond(layers.block.points));
+  samples.update(layers.block.points, 1);
+  EXPECT_EQ(samples.samples().size(), before);
+
+  Positions raised = layers.block.points;
+  std::size_t top = raised.size(); // within the face z = 4
+  for (std::size_t v = 0; v < raised.size(); ++v)
+    if (raised[v] == Vector_3(2, 2, 4))
+      top = v;
+  ASSERT_LT(top, raised.size());
+  raised[top].z() += .3;
+  samples.update(raised, 1);
+  const double excess = samples.excess(raised);
+  EXPECT_GT(excess, 0);
+  EXPECT_TRUE(samples.add_where_beyond(raised));
+  samples.update(raised, 1);
+  EXPECT_GT(samples.samples().size(), before);
+  EXPECT_NEAR(samples.excess(raised), excess, .02 * excess) << "the vertex itself was the farthest place";
+  samples.update(layers.block.points, 1);
+  EXPECT_LT(samples.excess(layers.block.points), 0) << "all of them follow";
+}
+
 // What would be little for the edges is a lot where the solid is thin.
 TEST(Boundary_samples, of_the_surface_have_the_thickness_as_their_scale_where_it_is_less_than_an_edge)
 {

@@ -51,6 +51,20 @@ TEST(Best_state, keeps_to_the_order_of_goals_and_then_to_how_loosely_the_boundar
   EXPECT_EQ(b.minimum(), -1);
 }
 
+TEST(Best_state, gives_way_to_others_once_it_turns_out_to_exceed)
+{
+  Best_state b(state(0), quality(0, 0, .9), 1, 0, 0, .5);
+  b.reassess(.2);
+  EXPECT_EQ(b.excess(), .2);
+  b.offer(state(1), quality(0, 0, .95), .3, .5);
+  EXPECT_EQ(best(b), 0) << "one that exceeds more does not count";
+  b.offer(state(2), quality(0, 0, .9), .1, .5);
+  EXPECT_EQ(best(b), 2);
+  EXPECT_EQ(b.excess(), .1);
+  b.offer(state(3), quality(0, 0, .8), 0, .5);
+  EXPECT_EQ(best(b), 2) << "what came in good keeps its minimum";
+}
+
 TEST(Best_state, of_equals_is_the_latest_that_does_not_fall_behind_the_highest)
 {
   Best_state b(state(0), quality(0, 1, .5), 1, .01);
