@@ -119,8 +119,11 @@ private:
     Reached reached{model_.points, Stage_end::CONVERGED, start};
     const std::size_t given = number_of_inverted(reached.points);
     if (is_full && start == Start::GIVEN && given > 0 && !control_.check_time()) {
-      const bool are_few = double(given) <= parameters_.untangled_as_given * double(mesh_.complex.hexahedra.size());
-      if (are_few)
+      const double part = double(given) / double(mesh_.complex.hexahedra.size());
+      const bool starts_harmonic = part > .5; // then the interior tells nothing
+      if (starts_harmonic)
+        reached.points = harmonic_positions();
+      if (starts_harmonic || part <= parameters_.untangled_as_given)
         reached.end = untangle(reached.points, Untangling::Attempt::FIRST);
       if (number_of_inverted(reached.points) > 0 && !control_.is_stopped())
         reached = {model_.points, Stage_end::CONVERGED, Start::RECTIFIED};
