@@ -196,7 +196,7 @@ public:
 
   // Adds a sample at the farthest place of each triangle of the mesh and of the reference that is beyond its bound
   // somewhere, which the other samples do not see; whether there are such places. An exchange method for infinitely many
-  // constraints. O(n log n); after an update(), which has to follow, too.
+  // constraints. O(n log n); after an update(), and if there are any, before another.
   bool add_where_beyond(const Positions& points)
   {
     if (!is_bounded())
@@ -221,13 +221,15 @@ public:
     for (const Found_in_triangle& place :
          farthest_places(surface_, faces, [&](std::size_t, std::size_t near) { return bounds[near / 2]; }))
       of_reference.push_back({place.where, parameters_.area_beyond, -1, surface_.sheet(place.triangle)});
+    if (own.empty() && of_reference.empty())
+      return false;
     samples_.resize(own_count_);
     samples_.insert(samples_.end(), own.begin(), own.end());
     own_count_ += own.size();
     targets_.add(own.size());
     reference_links_.add(of_reference);
     link_count_ = 0;
-    return !own.empty() || !of_reference.empty();
+    return true;
   }
 
   // Those of the mesh first, then those of the reference.
