@@ -75,7 +75,8 @@ struct Status
   double rectification_seconds = 0; ///< Wall-clock time of edge-cone rectification.
   double untangling_seconds = 0;    ///< Wall-clock time of untangling.
   double maximization_seconds = 0;  ///< Wall-clock time of quality maximization.
-  double total_seconds = 0;         ///< Wall-clock time of everything, set-up and final measurements included.
+  /// Wall-clock time of everything: also of set-up, of a smooth interior to start from, and of final measurements.
+  double total_seconds = 0;
 
   /// The hexahedra whose trilinear map is not certified to be valid, in increasing order.
   std::vector<std::size_t> invalid_hexahedra;

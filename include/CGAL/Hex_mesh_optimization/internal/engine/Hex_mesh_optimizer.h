@@ -123,7 +123,7 @@ private:
       const bool starts_harmonic = part > .5; // then the interior tells nothing
       if (starts_harmonic)
         reached.points = harmonic_positions();
-      if (starts_harmonic || part <= parameters_.untangled_as_given)
+      if ((starts_harmonic || part <= parameters_.untangled_as_given) && number_of_inverted(reached.points) > 0)
         reached.end = untangle(reached.points, Untangling::Attempt::FIRST);
       if (number_of_inverted(reached.points) > 0 && !control_.is_stopped())
         reached = {model_.points, Stage_end::CONVERGED, Start::RECTIFIED};
@@ -191,9 +191,8 @@ private:
   };
 
   // The input with a smooth interior.
-  Positions harmonic_positions()
+  Positions harmonic_positions() const
   {
-    const Timer timer(control_, report_.status.rectification_seconds);
     Positions points = model_.points;
     harmonic_start(mesh_.complex, model_.attachment, points);
     return points;
