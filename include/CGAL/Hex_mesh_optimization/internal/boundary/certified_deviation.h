@@ -233,8 +233,9 @@ public:
     return result;
   }
 
-  // About the farthest place of each triangle that is farther than its target somewhere; what is not found within so
-  // many pieces is missing. target(triangle, near): of a triangle, near that one of the other surface. After sample().
+  // About the farthest place of each triangle that is farther than its target somewhere, or of which so many pieces do
+  // not tell and which comes within the tolerance of it. target(triangle, near): of a triangle, near that one of the other
+  // surface. After sample().
   template <class Target>
   std::vector<Found_in_triangle> farthest_places(const Target& target, const Certification_parameters& parameters) const
   {
@@ -246,8 +247,11 @@ public:
         for (std::size_t t = begin; t < end; ++t) {
           const double most = target(t, foot_[t].triangle);
           Found here;
-          bound(t, most, parameters.tolerance, parameters.pieces, heap, here);
-          if (here.distance > most)
+          const bool is_open = bound(t, most, parameters.tolerance, parameters.pieces, heap, here).is_open;
+          if (is_open) // a peak is where parts meet: their centers may not be beyond, however small they are
+            for (const Vector_3& corner : heap.front().polygon)
+              search(corner, heap.front().foot.hint, from_.sheet(t), here);
+          if (here.distance > (is_open ? 1 - parameters.tolerance : 1) * most)
             places.push_back({t, here.where});
         }
         return places;

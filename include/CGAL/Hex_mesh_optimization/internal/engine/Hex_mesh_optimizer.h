@@ -69,10 +69,10 @@ public:
     Reached reached = reach(parameters_.method == Method::RECTIFICATION || (is_full && has_interface) ? Start::RECTIFIED
                                                                                                       : Start::GIVEN);
     if (is_full && boundary_samples().is_bounded_everywhere() && reached.start == Start::GIVEN &&
-        !control_.is_stopped() && excess(reached.points) > 0) {
+        !control_.is_stopped() && is_held_down(reached.points)) {
       // what jams on its way from one start may come in from another
       Reached other = reach(Start::RECTIFIED);
-      if (standing_of(other.points) < standing_of(reached.points))
+      if (is_better(other.points, reached.points))
         reached = std::move(other);
     }
 
@@ -174,6 +174,21 @@ private:
   {
     const Mesh_quality quality(mesh_.complex, points);
     return {quality.inverted, quality.invalid, excess(points), sliding(points).vertices_away().size()};
+  }
+
+  // Whether a bound is not met, or was at the cost of the quality that is worth holding without one.
+  bool is_held_down(const Positions& points)
+  {
+    return excess(points) > 0 ||
+           Mesh_quality(mesh_.complex, points).minimum < parameters_.maximization.floor.hold_limit;
+  }
+
+  // Of two results.
+  bool is_better(const Positions& first, const Positions& second)
+  {
+    const Standing a = standing_of(first), b = standing_of(second);
+    return a < b ||
+           (!(b < a) && Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum);
   }
 
   // Adds the time of its life.

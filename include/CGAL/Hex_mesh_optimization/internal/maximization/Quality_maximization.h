@@ -120,7 +120,10 @@ public:
       else if (phase == Phase::CLIMBING) {
         const bool is_high = quality.minimum >= floor_.worth_holding(quality) &&
                              climb.iterations_without_change_of_average() >= parameters_.climbing_patience_for_average;
-        const bool is_done = is_high || climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience;
+        const bool is_stalled = climb.iterations_without_gain_of_minimum() >= parameters_.climbing_patience &&
+                                climb.iterations_without_change_of_average() >=
+                                  parameters_.stalled_patience_for_average;
+        const bool is_done = is_high || is_stalled;
         if (is_done || i == begun + parameters_.climbing_iterations) {
           phase = Phase::SETTLING;
           used_up = !is_done;
@@ -178,7 +181,7 @@ public:
           }
           recovers = recovers || std::isfinite(least_excess);
           least_excess = std::numeric_limits<double>::infinity();
-          floor_.yield(parameters_.recovery);
+          floor_.recover(parameters_.recovery);
         }
         else if (excess < parameters_.excess_part * least_excess) {
           least_excess = excess;
