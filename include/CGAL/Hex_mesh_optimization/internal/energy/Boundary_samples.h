@@ -90,7 +90,7 @@ struct Boundary_sample_parameters
   // larger: what is outside is drawn in step by step. A weaker wall that stands further in leaves a part of the tube
   // unused (measured with 3 and .9: a CAD part bound to .1 % of its diagonal reaches a minimum of .278 instead of .299,
   // an organic model bound to .05 % one of .58 instead of .68).
-  double wall_weight = 12;
+  double wall_weight = 11;
   double wall = 1.05;
   // A step may not take a sample farther than this part of the bound, or so much farther than it is.
   double most_of_bound = 1;
