@@ -233,8 +233,8 @@ public:
     return result;
   }
 
-  // About the farthest place of each triangle that is farther than its target somewhere, or of which so many pieces do
-  // not tell and which comes within the tolerance of it. target(triangle, near): of a triangle, near that one of the other
+  // About the farthest place of each triangle that is farther than its target somewhere, or of which many pieces do not
+  // tell and which comes within the tolerance of it. target(triangle, near): of a triangle, near that one of the other
   // surface. After sample().
   template <class Target>
   std::vector<Found_in_triangle> farthest_places(const Target& target, const Certification_parameters& parameters) const
@@ -247,7 +247,10 @@ public:
         for (std::size_t t = begin; t < end; ++t) {
           const double most = target(t, foot_[t].triangle);
           Found here;
-          const bool is_open = bound(t, most, parameters.tolerance, parameters.pieces, heap, here).is_open;
+          const auto is_left_open = [&](std::size_t pieces) {
+            return bound(t, most, parameters.tolerance, pieces, heap, here).is_open;
+          };
+          const bool is_open = is_left_open(parameters.pieces) && is_left_open(many * parameters.pieces);
           if (is_open) // a peak is where parts meet: their centers may not be beyond, however small they are
             for (const Vector_3& corner : heap.front().polygon)
               search(corner, heap.front().foot.hint, from_.sheet(t), here);
@@ -280,6 +283,7 @@ private:
   };
 
   static constexpr std::size_t grain = 256; // triangles, each worth some microseconds
+  static constexpr std::size_t many = 16;   // times the pieces for the few triangles of which those do not tell
 
   // Calls work(begin, end, found) for ranges of 0 … n-1.
   template <class Work>
