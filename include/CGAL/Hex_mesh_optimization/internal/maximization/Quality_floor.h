@@ -50,7 +50,7 @@ struct Floor_parameters
   double largest_lift = 2;
   // What is left of the multipliers when the floor yields: else they go on growing, as what is held is not reached, and
   // outweigh what it yields to (an organic model bound to .06 % of its diagonal ends with a minimum of .48 without).
-  double yielded_lift = .8;
+  double yielded_lift = .85;
 };
 
 class Quality_floor
