@@ -89,7 +89,8 @@ struct Boundary_sample_parameters
   // Weight of the wall of the tube, and where it stands: at this part of the bound, or of the distance if that is
   // larger: what is outside is drawn in step by step. A weaker wall that stands further in leaves a part of the tube
   // unused (measured with 3 and .9: a CAD part bound to .1 % of its diagonal reaches a minimum of .278 instead of .299,
-  // an organic model bound to .05 % one of .58 instead of .68).
+  // an organic model bound to .05 % one of .58 instead of .68; with 10 or 12 instead of 11 the average deviation of another
+  // one, bound to .5 %, is 3.54e-4 of the diagonal instead of 3.49e-4).
   double wall_weight = 11;
   double wall = 1.05;
   // A step may not take a sample farther than this part of the bound, or so much farther than it is.
