@@ -109,8 +109,8 @@ public:
 private:
   static constexpr std::size_t faces_of_range = 64;
 
-  // w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D: whatever the tightness, the tube does
-  // not give.
+  // h w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D and acts with the part h: whatever the
+  // tightness, the tube does not give.
   double value_of_walls(const Positions& points) const
   {
     return samples_.wall_weight() * sum_of_ranges(samples_.samples().size(), [&](std::size_t begin, std::size_t end) {
@@ -118,7 +118,7 @@ private:
              for (std::size_t i = begin; i < end; ++i) {
                const Boundary_sample& s = samples_.samples()[i];
                const double x = s.offset(points).squaredNorm() / (s.wall * s.wall);
-               sum += s.weight * x * x * x;
+               sum += s.hold * s.weight * x * x * x;
              }
              return sum;
            });
@@ -145,7 +145,7 @@ private:
       double slope = weight * e.slope, growth = weight * e.growth / square;
       if (samples_.is_bounded()) {
         const double D2 = s.wall * s.wall, x = offset.squaredNorm() / D2,
-                     u = 6 * samples_.wall_weight() * s.weight * x / D2;
+                     u = 6 * samples_.wall_weight() * s.hold * s.weight * x / D2;
         slope += u * x;
         growth += 4 * u / D2;
       }

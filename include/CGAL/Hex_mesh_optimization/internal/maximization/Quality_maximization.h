@@ -88,6 +88,7 @@ public:
     Mesh_quality quality(complex_, points);
     if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
       return Stage_end::CONVERGED;
+    samples_.restore_walls();
     samples_.update(points, 1);
     double excess = samples_.excess(points), least_excess = std::numeric_limits<double>::infinity();
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
@@ -98,7 +99,8 @@ public:
     bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
     double called_at = 0, least_away = 0;                        // minimum, vertices
     std::size_t calls = 0, begun = 0, waited = 0, settled = 0;   // begun: the iteration in which climbing has
-    std::size_t stalled = 0, refinements = 0, unrefined = 0;     // iterations
+    std::size_t stalled = 0, unrefined = 0;                      // iterations
+    std::size_t refinements = 0, last_refinements = 0;
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
@@ -173,6 +175,7 @@ public:
       excess = samples_.excess(points);
       const bool is_outside = (samples_.is_bounded() && excess > 0) || sliding_.are_some_away();
       if (boundary_.tightness == 1 && phase == Phase::SETTLING) {
+        samples_.adapt_walls(points);
         if (!is_outside) {
           if (std::isfinite(least_excess) && !recovers) {
             // what has yielded now recovers, once: else it could go back and forth for ever
@@ -220,8 +223,8 @@ public:
       const bool is_good = !is_outside && quality.invalid == 0 && quality.minimum >= target_quality;
       if (!is_over && !is_settled && !is_good)
         continue;
-      if (!(best.excess() > 0) && refinements < parameters_.most_refinements) {
-        ++refinements;
+      if (!(best.excess() > 0) && last_refinements < parameters_.most_last_refinements) {
+        ++last_refinements;
         points = best.points();
         if (refine(points, best)) {
           quality = Mesh_quality(complex_, points);
