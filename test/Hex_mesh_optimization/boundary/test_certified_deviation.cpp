@@ -107,6 +107,26 @@ TEST(Farthest_places, are_those_of_the_triangles_beyond_their_targets)
     << "the other way round";
 }
 
+// Under a ridge the distance has a sharp peak, which is at no center of the parts that a triangle is cut into
+TEST(Farthest_places, are_found_where_the_distance_has_a_sharp_peak)
+{
+  for (double ridge : {.37, .5, .613}) {
+    const Triangle_surface flat = sheet(1);
+    const double far = 3, height = .5;
+    const auto roof_point = [&](double x, double y) { return Vector_3(x, y, height - std::abs(x - ridge)); };
+    const Positions points{roof_point(ridge - far, -far), roof_point(ridge, -far), roof_point(ridge + far, -far),
+                           roof_point(ridge - far, far),  roof_point(ridge, far),  roof_point(ridge + far, far)};
+    const Triangle_surface roof(points, split_quads({{0, 1, 4, 3}, {1, 2, 5, 4}}));
+    const double peak = height / std::sqrt(2.), target = .9999 * peak;
+    const std::vector<Found_in_triangle> places = farthest_places(flat, roof,
+                                                                  [&](std::size_t, std::size_t) { return target; });
+    ASSERT_FALSE(places.empty()) << ridge;
+    for (const Found_in_triangle& place : places)
+      EXPECT_NEAR(place.where.x(), ridge, .02);
+    EXPECT_TRUE(farthest_places(flat, roof, [&](std::size_t, std::size_t) { return 1.02 * peak; }).empty());
+  }
+}
+
 TEST(Certified_deviation, of_parallel_sheets_is_their_distance)
 {
   for (double height : {.3, 1e-3, 1e-6})

@@ -113,6 +113,66 @@ TEST(Boundary_samples, are_added_where_the_mesh_is_beyond_the_bound)
   EXPECT_EQ(samples.excess(layers.block.points), 0) << "all of them follow";
 }
 
+// The wall of a sample is what is left to it of its multiplier: nothing but the least where it is far from its bound.
+TEST(Boundary_samples, keep_their_walls_only_where_they_come_near_the_bound)
+{
+  const Layers layers(false);
+  const Boundary_sample_parameters& parameters = layers.parameters;
+  Boundary_samples samples = layers.samples(.1);
+  samples.update(layers.block.points, 1);
+  for (const Boundary_sample& s : samples.samples())
+    ASSERT_EQ(s.hold, 1);
+  samples.adapt_walls(layers.block.points);
+  for (const Boundary_sample& s : samples.samples())
+    EXPECT_EQ(s.hold, parameters.wall_fading);
+  for (int i = 0; i < 20; ++i)
+    samples.adapt_walls(layers.block.points);
+  for (const Boundary_sample& s : samples.samples())
+    EXPECT_EQ(s.hold, parameters.least_wall);
+
+  Positions raised = layers.block.points;
+  const auto top = std::find(raised.begin(), raised.end(), Vector_3(2, 2, 4));
+  ASSERT_NE(top, raised.end());
+  top->z() += .3;
+  samples.update(raised, 1);
+  samples.adapt_walls(raised);
+  int returned = 0, faded = 0;
+  for (const Boundary_sample& s : samples.samples()) {
+    const double part = s.offset(raised).norm() / (parameters.aimed_part * s.bound);
+    if (part > 1) {
+      EXPECT_NEAR(s.hold, parameters.least_wall * (std::min)(parameters.wall_return, part * part), 1e-12);
+      ++returned;
+    }
+    else {
+      EXPECT_EQ(s.hold, parameters.least_wall);
+      ++faded;
+    }
+  }
+  EXPECT_GT(returned, 5);
+  EXPECT_GT(faded, 5);
+  ASSERT_TRUE(samples.add_where_beyond(raised));
+  samples.update(raised, 1);
+  int full = 0;
+  for (const Boundary_sample& s : samples.samples())
+    full += s.hold == 1;
+  EXPECT_GT(full, 0) << "the new ones";
+  int returned_now = 0;
+  for (const Boundary_sample& s : samples.samples())
+    returned_now += s.hold > parameters.least_wall && s.hold < 1;
+  EXPECT_EQ(returned_now, returned) << "the others keep theirs, wherever they are in the order now";
+  samples.restore_walls();
+  samples.update(raised, 1);
+  for (const Boundary_sample& s : samples.samples())
+    EXPECT_EQ(s.hold, 1);
+
+  const Layers divided(true);
+  Boundary_samples of_interface = divided.samples();
+  of_interface.update(divided.block.points, 1);
+  of_interface.adapt_walls(divided.block.points);
+  for (const Boundary_sample& s : of_interface.samples())
+    EXPECT_EQ(s.hold, 1) << "without a bound of all";
+}
+
 // What would be little for the edges is a lot where the solid is thin.
 TEST(Boundary_samples, of_the_surface_have_the_thickness_as_their_scale_where_it_is_less_than_an_edge)
 {

@@ -176,4 +176,32 @@ TEST(Quality_floor, holds_no_more_than_was_reached)
   }
 }
 
+TEST(Quality_floor, remembers_what_was_worth_holding)
+{
+  const Floor_parameters parameters;
+  const Indexed_mesh mesh = mesh_families()[0]();
+  const Hexahedral_complex complex = mesh.complex();
+  std::mt19937 random(9);
+  const Positions good = positions(mesh);
+  Positions poor = good;
+  for (Vector_3& p : poor)
+    p += random_vector(random, .12);
+  const Mesh_quality quality_of_good(complex, good), quality_of_poor(complex, poor);
+  const Hexahedron_batches batches(complex);
+  Quality_floor forgets(batches, parameters), remembers(batches, parameters);
+  ASSERT_LT(forgets.worth_holding(quality_of_poor), forgets.worth_holding(quality_of_good) - .05);
+  for (Quality_floor* floor : {&forgets, &remembers})
+    floor->hold(quality_of_good, good);
+  remembers.remember_worth(quality_of_good);
+  const double held = remembers.held();
+  for (Quality_floor* floor : {&forgets, &remembers}) {
+    floor->hold(quality_of_poor, poor);
+    floor->yield(.9);
+  }
+  EXPECT_LT(forgets.held(), held - .05);
+  EXPECT_EQ(remembers.held(), held);
+  remembers.hold(quality_of_poor, poor);
+  EXPECT_NEAR(remembers.held(), .9 * held, 1e-12) << "what it yields is lost all the same";
+}
+
 } // namespace

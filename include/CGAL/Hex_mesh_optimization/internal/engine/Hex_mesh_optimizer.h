@@ -17,6 +17,7 @@
 #include <CGAL/Hex_mesh_optimization/enum.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
@@ -36,6 +37,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -56,6 +58,7 @@ public:
     , mesh_(points, hexahedra, regions)
     , model_(mesh_, reference, is_frozen, parameters_)
     , report_(mesh_, model_, parameters_)
+    , bound_(parameters_.maximum_deviation / model_.unit)
   {}
 
   // Optimizes, one stage after the other: here, and in reach(), is all that decides whether one starts, when it has done
@@ -75,6 +78,9 @@ public:
       if (is_better(other.points, reached.points))
         reached = std::move(other);
     }
+
+    if (is_full && has_reference_to_keep_to())
+      spend_spare_quality(reached);
 
     const double excess_before = excess(model_.points), excess_now = excess(reached.points);
     samples_.reset();
@@ -191,6 +197,43 @@ private:
            (!(b < a) && Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum);
   }
 
+  // Whether the boundary is brought to a reference of its own without a bound.
+  bool has_reference_to_keep_to() { return boundary_samples().has_reference_of_its_own() && !std::isfinite(bound_); }
+
+  // What quality there is to spare goes into the largest deviation.
+  void spend_spare_quality(Reached& reached)
+  {
+    const double least = parameters_.spare_above;
+    Mesh_quality quality(mesh_.complex, reached.points);
+    double expected_loss = 0; // of the minimum
+    for (std::size_t i = 0; i < parameters_.most_spared && !control_.check_time(); ++i) {
+      const double largest =
+        deviations(model_.faces, reached.points, *model_.surface, parameters_.measuring_spacing).all.maximum;
+      if (quality.invalid > 0 || quality.minimum - expected_loss < least || excess(reached.points) > 0 ||
+          largest < parameters_.boundary.samples.still_distance)
+        break;
+      bind(parameters_.spared_deviation * largest);
+      Positions points = reached.points;
+      maximize(points);
+      const bool is_within = !(excess(points) > 0);
+      bind(parameters_.maximum_deviation / model_.unit);
+      const Mesh_quality spent(mesh_.complex, points);
+      if (!is_within || spent.invalid > 0 || spent.minimum < least ||
+          spent.average < quality.average - parameters_.spared_average)
+        break;
+      expected_loss = 1.5 * (quality.minimum - spent.minimum); // the closer it is, the more the next part costs
+      quality = spent;
+      reached.points = std::move(points);
+    }
+  }
+
+  // Bounds the deviation from now on. In mean boundary edges.
+  void bind(double bound)
+  {
+    bound_ = bound;
+    samples_.reset();
+  }
+
   // Adds the time of its life.
   class Timer
   {
@@ -268,7 +311,7 @@ private:
                                parameters_.boundary_placement != Boundary_placement::ON_SURFACE;
     if (!samples_)
       samples_.emplace(mesh_.complex, model_.faces, *model_.surface, model_.attachment, model_.targets.lengths,
-                       has_tolerance, parameters_.maximum_deviation / model_.unit, parameters_.boundary.samples);
+                       has_tolerance, bound_, parameters_.boundary.samples);
     return *samples_;
   }
 
@@ -282,6 +325,7 @@ private:
   const Checked_mesh mesh_;
   const Model model_;
   Report report_;
+  double bound_; // of the deviation, in mean boundary edges
   std::optional<Boundary_samples> samples_;
 };
 

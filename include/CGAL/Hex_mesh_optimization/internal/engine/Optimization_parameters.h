@@ -36,6 +36,15 @@ struct Optimization_parameters : Chosen_parameters
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
+  // A mesh that was brought to a reference and whose minimum is above this has quality to spare for the largest deviation:
+  // it is bound to the part of what it is, so often, as long as the minimum stays above and the average loses no more
+  // than that. sin 120° = .866 is the most where three faces meet on a smooth surface, so that hardly any mesh of an
+  // irregular connectivity comes here (measured on cubes that follow a bulge, .926/.991: the maximum is 1.9e-3 of the
+  // diagonal at .889/.984 instead of 2.7e-3).
+  double spare_above = .85;
+  double spared_deviation = .75;
+  double spared_average = .01;
+  std::size_t most_spared = 2;
   double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
 };
 

@@ -80,7 +80,8 @@ public:
   void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    held_ = (std::max)(least, parameters_.hold * yield_ * (std::min)(highest_, worth_holding(quality)));
+    held_ = (std::max)(least,
+                       parameters_.hold * yield_ * (std::min)(highest_, (std::max)(worth_, worth_holding(quality))));
     const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.margin));
     const bool is_first = floor_ > 0;
     floor_ = 0;
@@ -99,6 +100,8 @@ public:
     });
   }
 
+  // From now on no less is worth holding than for a mesh of this quality, however many hexahedra get worse.
+  void remember_worth(const Mesh_quality& quality) { worth_ = (std::max)(worth_, worth_holding(quality)); }
   // Forgets how high it has risen.
   void restart() { floor_ = highest_ = 0; }
 
@@ -137,7 +140,7 @@ private:
 
   const Floor_parameters parameters_;
   const Hexahedron_batches& hexahedra_;
-  double floor_ = 0, highest_ = 0, held_ = 0, yield_ = 1;
+  double floor_ = 0, highest_ = 0, held_ = 0, worth_ = 0, yield_ = 1;
   Batched_values<8> lifts_, floors_;
 };
 
