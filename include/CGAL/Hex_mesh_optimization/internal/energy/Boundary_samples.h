@@ -275,6 +275,8 @@ public:
   bool has_tolerance() const { return is_bounded() || has_reference_of_its_own(); }
   // Whether the distances of some samples are bounded.
   bool is_bounded_everywhere() const { return std::isfinite(maximum_deviation_); }
+  // Whether they all are, to less than what is tolerated without a bound.
+  bool is_closely_bounded() const { return maximum_deviation_ < parameters_.tolerance; }
   // Whether there is a reference that is not the mesh's own boundary, and not every vertex has to be on it.
   bool has_reference_of_its_own() const { return std::isfinite(tolerance_); }
   bool is_bounded() const { return has_interface_ || std::isfinite(maximum_deviation_); }

@@ -140,9 +140,9 @@ public:
       if (phase != Phase::SETTLING)
         floor_.rise(quality);
       else {
-        // within a bound, quality comes before the average deviation (measured on voxels of a ball, bound to .5 % of the
-        // diagonal of their surface: minimum and average are .817 and .958 instead of .680 and .929)
-        if (samples_.is_bounded_everywhere())
+        // within a close bound, quality comes before the average deviation (measured on voxels of a ball, bound to .5 %
+        // of the diagonal of their surface: minimum and average are .817 and .958 instead of .680 and .929)
+        if (samples_.is_closely_bounded())
           floor_.remember_worth(quality);
         floor_.hold(quality, points, (std::max)(best.least_minimum(), 0.0));
         // it waits for corners that fell behind, but not for ever
