@@ -79,7 +79,7 @@ public:
         reached = std::move(other);
     }
 
-    if (is_full && has_reference_to_keep_to())
+    if (is_full && may_spend_quality())
       spend_spare_quality(reached);
 
     const double excess_before = excess(model_.points), excess_now = excess(reached.points);
@@ -197,13 +197,20 @@ private:
            (!(b < a) && Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum);
   }
 
-  // Whether the boundary is brought to a reference of its own without a bound.
-  bool has_reference_to_keep_to() { return boundary_samples().has_reference_of_its_own() && !std::isfinite(bound_); }
+  // Whether the boundary is brought to a reference of its own, and neither a bound nor a quality is asked for.
+  bool may_spend_quality()
+  {
+    return boundary_samples().has_reference_of_its_own() && !std::isfinite(bound_) &&
+           !std::isfinite(parameters_.target_quality);
+  }
 
   // What quality there is to spare goes into the largest deviation.
   void spend_spare_quality(Reached& reached)
   {
-    const double least = parameters_.spare_above;
+    // nor may a mesh that came in as good as it is to be get worse
+    const double least = (std::max)(parameters_.spare_above, standing_of(model_.points).is_good()
+                                                               ? Mesh_quality(mesh_.complex, model_.points).minimum
+                                                               : 0);
     Mesh_quality quality(mesh_.complex, reached.points);
     double expected_loss = 0; // of the minimum
     for (std::size_t i = 0; i < parameters_.most_spared && !control_.check_time(); ++i) {
