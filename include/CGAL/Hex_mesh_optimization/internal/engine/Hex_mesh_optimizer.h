@@ -148,7 +148,8 @@ private:
       }
     }
     const Mesh_quality quality(mesh_.complex, reached.points);
-    const bool is_good = quality.invalid == 0 && quality.minimum >= target;
+    // good angles off the reference are not what was asked for
+    const bool is_good = quality.minimum >= target && standing_of(reached.points).is_good();
     if (quality.inverted == 0 && !is_good && !control_.is_stopped())
       reached.end = maximize(reached.points);
     return reached;

@@ -68,12 +68,14 @@ public:
   void certify(Positions result, double excess_before, double excess)
   {
     positions_ = std::move(result);
+    is_off_ = excess > 0;
     status.after = mesh_.statistics(positions_);
     Deviations measured = measured_deviations(positions_);
     status.deviation_bound = parameters_.maximum_deviation;
     status.deviation = measured.all;
     if (is_perfect() || is_worse(excess_before, excess)) {
       positions_ = mesh_.points;
+      is_off_ = excess_before > 0;
       status.after = status.before;
       measured = measured_deviations(mesh_.points);
       status.deviation = measured.all;
@@ -113,7 +115,7 @@ public:
       return Return_code::DEVIATION_BOUND_NOT_MET;
     if (positions_ == mesh_.points)
       return Return_code::NO_IMPROVEMENT;
-    if (status.valid_mesh() && status.after.minimum >= parameters_.target_quality)
+    if (status.valid_mesh() && status.after.minimum >= parameters_.target_quality && !is_off_)
       return Return_code::TARGET_QUALITY_REACHED;
     return otherwise;
   }
@@ -213,6 +215,7 @@ private:
   const Model& model_;
   const Optimization_parameters& parameters_;
   Positions positions_;
+  bool is_off_ = false; // the reference, by more than is tolerated
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -86,11 +86,17 @@ public:
   Stage_end run(Positions& points, Run_control& control, double target_quality)
   {
     Mesh_quality quality(complex_, points);
-    if (quality.inverted > 0 || (quality.invalid == 0 && quality.minimum >= target_quality))
+    if (quality.inverted > 0)
       return Stage_end::CONVERGED;
     samples_.restore_walls();
     samples_.update(points, 1);
     double excess = samples_.excess(points), least_excess = std::numeric_limits<double>::infinity();
+    const auto is_target_reached = [&] {
+      return quality.invalid == 0 && quality.minimum >= target_quality && !(excess > 0) && !sliding_.are_some_away() &&
+             sliding_.vertices_away().empty();
+    };
+    if (is_target_reached())
+      return Stage_end::CONVERGED;
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
@@ -224,8 +230,7 @@ public:
       if (phase != Phase::SETTLING || boundary_.tightness < 1)
         continue;
       const bool is_over = ++settled >= settling_iterations(is_held, is_outside);
-      const bool is_good = !is_outside && quality.invalid == 0 && quality.minimum >= target_quality;
-      if (!is_over && !is_settled && !is_good)
+      if (!is_over && !is_settled && !is_target_reached())
         continue;
       if (!(best.excess() > 0) && last_refinements < parameters_.most_last_refinements) {
         ++last_refinements;
