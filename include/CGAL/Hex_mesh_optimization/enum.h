@@ -93,7 +93,7 @@ inline const char* name(Stage stage)
  */
 enum class Return_code {
   CONVERGED, ///< Further iterations would not improve the mesh: the last stage ended as nothing was gained any more.
-  TARGET_QUALITY_REACHED,  ///< The minimum scaled Jacobian reached `target_quality`.
+  TARGET_QUALITY_REACHED,  ///< The minimum scaled Jacobian reached `target_quality`, on the reference.
   ITERATION_LIMIT,         ///< The number of iterations of the last stage was used up while the mesh still changed.
   TIME_LIMIT,              ///< `maximum_running_time` was over.
   STOPPED_BY_VISITOR,      ///< The visitor asked to stop.
