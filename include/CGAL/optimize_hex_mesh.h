@@ -228,8 +228,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`Hex_mesh_optimization::Method::FULL`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_quality}
- *     \cgalParamDescription{the optimization ends as soon as the mesh is valid, its boundary within what is tolerated, and its
- *     minimum scaled Jacobian at least this}
+ *     \cgalParamDescription{the optimization ends as soon as the mesh is valid, its boundary within what is
+ *     tolerated, and its minimum scaled Jacobian at least this}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{none: it goes on while the mesh improves}
  *   \cgalParamNEnd

@@ -208,11 +208,13 @@ private:
   // What quality there is to spare goes into the largest deviation.
   void spend_spare_quality(Reached& reached)
   {
+    Mesh_quality quality(mesh_.complex, reached.points);
+    if (quality.minimum < parameters_.spare_above)
+      return;
     // nor may a mesh that came in as good as it is to be get worse
     const double least = (std::max)(parameters_.spare_above, standing_of(model_.points).is_good()
                                                                ? Mesh_quality(mesh_.complex, model_.points).minimum
                                                                : 0);
-    Mesh_quality quality(mesh_.complex, reached.points);
     double expected_loss = 0; // of the minimum
     for (std::size_t i = 0; i < parameters_.most_spared && !control_.check_time(); ++i) {
       const double largest =
@@ -229,7 +231,7 @@ private:
       if (!is_within || spent.invalid > 0 || spent.minimum < least ||
           spent.average < quality.average - parameters_.spared_average)
         break;
-      expected_loss = 1.5 * (quality.minimum - spent.minimum); // the closer it is, the more the next part costs
+      expected_loss = parameters_.growth_of_cost * (quality.minimum - spent.minimum);
       quality = spent;
       reached.points = std::move(points);
     }

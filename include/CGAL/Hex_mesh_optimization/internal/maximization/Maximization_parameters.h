@@ -112,8 +112,8 @@ struct Maximization_parameters
   // While there is excess, it goes on for so many iterations.
   std::size_t most_bounded_iterations = 60;
   // Once fully tight, samples are added where the mesh is beyond the bound between those that there are, each time after
-  // so many iterations, up to so often, and up to so often more before the end (measured on an organic model bound to .05 % of its diagonal:
-  // without this it is within the bound at all samples, and beyond it by a fifth between them).
+  // so many iterations, up to so often, and up to so often more before the end (measured on an organic model bound to
+  // .05 % of its diagonal: without this it is within the bound at all samples, and beyond it by a fifth between them).
   std::size_t refinement_interval = 4;
   std::size_t most_refinements = 20, most_last_refinements = 6;
   // Further factor of both weights of the shape, for a bound of a tenth of an edge, and in proportion to the power of that,
