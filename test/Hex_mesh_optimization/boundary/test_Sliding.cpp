@@ -20,6 +20,7 @@
 #include <memory>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -66,8 +67,9 @@ TEST_P(Sliding_of_families, has_the_freedoms_of_what_vertices_are_attached_to)
   Attached_mesh s(GetParam()());
   for (std::size_t v = 0; v < s.points.size(); v += 5)
     s.fix(v);
-  const Freedoms within = s.sliding().freedoms(s.points),
-                 on = s.sliding(Boundary_placement::ON_SURFACE).freedoms(s.points);
+  const Positions forces(s.points.size(), Vector_3::Zero());
+  const Freedoms within = s.sliding().freedoms(s.points, forces),
+                 on = s.sliding(Boundary_placement::ON_SURFACE).freedoms(s.points, forces);
   for (std::size_t v = 0; v < s.points.size(); ++v) {
     const int dimension = dimension_on_surface(s.attachment.kind[v]);
     EXPECT_EQ(on[v].dimension(), dimension) << v;
@@ -114,32 +116,56 @@ TEST_P(Sliding_of_families, within_the_tolerance_keeps_corners_only)
     EXPECT_EQ(moved[v], s.attachment.kind[v] == Vertex_kind::CORNER ? s.attachment.corner[v] : free[v]) << v;
 }
 
+Freedoms freedoms_without_force(const Sliding& sliding, const Positions& points)
+{
+  return sliding.freedoms(points, Positions(points.size(), Vector_3::Zero()));
+}
+
+// Lets all go their ways but one.
+void approach_all_but(int stays, Sliding& sliding, Positions& points)
+{
+  sliding.approach(points, [&](const std::vector<int>& vertices, const Vector_3& way) {
+    for (int v : vertices)
+      if (v != stays)
+        points[v] += way;
+    return vertices[0] != stays;
+  });
+}
+
+constexpr int none = -1;
+
 // What is away goes all the way once all are called, or stays free until then
 TEST_P(Sliding_of_families, calls_what_is_away)
 {
   Attached_mesh s(GetParam()());
   std::mt19937 random(6);
-  const Positions on = s.points;
   s.scramble(random, .2, true);
   Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
   EXPECT_FALSE(sliding.are_some_away());
-  for (const Freedom& f : sliding.freedoms(s.points))
+  for (const Freedom& f : freedoms_without_force(sliding, s.points))
     EXPECT_EQ(f.dimension(), 3);
+  const Positions before = s.points;
+  approach_all_but(none, sliding, s.points);
+  EXPECT_EQ(s.points, before);
   sliding.call_all();
   EXPECT_TRUE(sliding.are_some_away());
-  const Positions ways = sliding.ways(s.points);
-  for (std::size_t v = 0; v < s.points.size(); ++v) {
-    EXPECT_NEAR(ways[v].norm(), distance(s, v, s.points[v]), 1e-12) << v;
-    s.points[v] += ways[v];
-  }
-  sliding.arrive(s.points);
+  double last = 0; // distance
+  sliding.approach(s.points, [&](const std::vector<int>& vertices, const Vector_3& way) {
+    EXPECT_EQ(vertices.size(), 1u);
+    EXPECT_NEAR(way.norm(), distance(s, vertices[0], s.points[vertices[0]]), 1e-12);
+    EXPECT_GE(way.norm(), last) << "the nearest first";
+    last = way.norm();
+    return true;
+  });
   EXPECT_FALSE(sliding.are_some_away());
-  for (const Vector_3& way : sliding.ways(s.points))
-    EXPECT_EQ(way, Vector_3(Vector_3::Zero()));
+  for (std::size_t v = 0; v < s.points.size(); ++v)
+    EXPECT_LT(distance(s, v, s.points[v]), 1e-12) << v;
+  EXPECT_EQ(sliding.away(s.points).in_all, 0u);
 }
 
-// What has not come is free from then on, and still told; what has come stays held
-TEST_P(Sliding_of_families, releases_what_is_away)
+// What has not come to its feature is to come to the surface, and is free after that; it is told all the while, and what
+// has come stays held
+TEST_P(Sliding_of_families, releases_what_is_away_from_features_before_the_surface)
 {
   Attached_mesh s(GetParam()());
   std::mt19937 random(7);
@@ -148,31 +174,118 @@ TEST_P(Sliding_of_families, releases_what_is_away)
   EXPECT_TRUE(sliding.holds_more_than_corners());
   EXPECT_FALSE(s.sliding().holds_more_than_corners());
   sliding.call_all();
-  const Positions ways = sliding.ways(s.points);
   const std::vector<int> called = sliding.vertices_away();
   ASSERT_GT(called.size(), 1u);
-  const int last = called.back();
-  for (int v : called)
-    if (v != last)
-      s.points[v] += ways[v];
-  sliding.arrive(s.points);
+  const auto on_feature = std::find_if(called.begin(), called.end(),
+                                       [&](int v) { return s.attachment.kind[v] != Vertex_kind::SURFACE; });
+  const int last = on_feature == called.end() ? called.back() : *on_feature;
+  const bool has_feature = on_feature != called.end();
+  approach_all_but(last, sliding, s.points);
+  EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
+
+  sliding.release_from_features(s.points);
+  EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
+  EXPECT_TRUE(sliding.are_some_away());
+  sliding.approach(s.points, [&](const std::vector<int>& vertices, const Vector_3& way) {
+    EXPECT_EQ(vertices[0], last);
+    EXPECT_NEAR(way.norm(), (s.surface->closest_point(s.points[last]).point - s.points[last]).norm(), 1e-12);
+    return false;
+  });
+  EXPECT_EQ(sliding.away(s.points).off_surface, 1u);
+
   sliding.release_those_away();
   EXPECT_FALSE(sliding.are_some_away());
   EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
-  const Freedoms freedoms = sliding.freedoms(s.points);
+  const Freedoms freedoms = freedoms_without_force(sliding, s.points);
   for (int v : called)
     EXPECT_EQ(freedoms[v].dimension() == 3, v == last) << v;
-  EXPECT_EQ(sliding.ways(s.points)[last], Vector_3(Vector_3::Zero()));
+  approach_all_but(none, sliding, s.points);
+  EXPECT_EQ(sliding.away(s.points).off_surface, 1u) << "it is not called";
 
-  // and comes when it is called again
-  EXPECT_TRUE(sliding.recall_released());
-  EXPECT_TRUE(sliding.are_some_away());
+  // called again, if it can stand at its place, or on the surface at least
+  const auto nowhere = [](int, const Vector_3&) { return false; };
+  EXPECT_FALSE(sliding.recall_released(s.points, nowhere));
+  if (has_feature) {
+    const auto not_on_feature = [&](int v, const Vector_3& place) {
+      return (place - s.surface->closest_point(s.points[v]).point).norm() < 1e-12;
+    };
+    EXPECT_TRUE(sliding.recall_released(s.points, not_on_feature));
+    approach_all_but(none, sliding, s.points);
+    EXPECT_EQ(sliding.away(s.points).off_surface, 0u);
+    EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
+    EXPECT_FALSE(sliding.recall_released(s.points, nowhere));
+  }
+  const auto anywhere = [](int, const Vector_3&) { return true; };
+  EXPECT_TRUE(sliding.recall_released(s.points, anywhere));
   EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
-  s.points[last] += sliding.ways(s.points)[last];
-  sliding.arrive(s.points);
+  approach_all_but(none, sliding, s.points);
   EXPECT_TRUE(sliding.vertices_away().empty());
-  EXPECT_LT(sliding.freedoms(s.points)[last].dimension(), 3);
-  EXPECT_FALSE(sliding.recall_released());
+  EXPECT_LT(freedoms_without_force(sliding, s.points)[last].dimension(), 3);
+  EXPECT_FALSE(sliding.recall_released(s.points, anywhere));
+}
+
+// Features give way to vertices that are to come to the surface, where they are told to
+TEST(Sliding, lets_go_of_features_in_the_way_to_the_surface)
+{
+  Attached_mesh s(mesh_families()[0]());
+  int away = none, on_curve = none;
+  for (std::size_t v = 0; v < s.points.size(); ++v) {
+    if (s.attachment.kind[v] == Vertex_kind::SURFACE)
+      away = static_cast<int>(v);
+    if (s.attachment.kind[v] == Vertex_kind::FEATURE)
+      on_curve = static_cast<int>(v);
+  }
+  ASSERT_NE(away, none);
+  ASSERT_NE(on_curve, none);
+  s.points[away] += Vector_3(.1, .1, .1);
+  Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
+  sliding.call_all();
+  int asked = 0;
+  sliding.make_way_to_surface(s.points, [&](int v, const Vector_3&, const auto& release) {
+    EXPECT_EQ(v, away);
+    ++asked;
+    release(on_curve);
+    release(v); // is not on a feature
+  });
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(sliding.vertices_away(), (std::vector<int>{(std::min)(away, on_curve), (std::max)(away, on_curve)}));
+  EXPECT_EQ(sliding.away(s.points).off_surface, 1u);
+  EXPECT_EQ(freedoms_without_force(sliding, s.points)[on_curve].dimension(), 2);
+}
+
+// Until all are called, what stands on curves and faces may be let go; corners stay
+TEST_P(Sliding_of_families, lets_all_but_corners_go_until_they_are_called)
+{
+  const Attached_mesh s(GetParam()());
+  Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
+  sliding.let_go();
+  const Freedoms freedoms = freedoms_without_force(sliding, s.points);
+  for (std::size_t v = 0; v < s.points.size(); ++v)
+    EXPECT_EQ(freedoms[v].dimension(), s.attachment.kind[v] == Vertex_kind::CORNER ? 0 : 3) << v;
+  sliding.call_all();
+  Positions points = s.points;
+  approach_all_but(none, sliding, points);
+  EXPECT_TRUE(sliding.vertices_away().empty());
+}
+
+// A step leads off its curve at a kink unless it is taken from it
+TEST_P(Sliding_of_families, keeps_steps_within_what_vertices_stand_on)
+{
+  const Attached_mesh s(GetParam()());
+  const Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
+  std::mt19937 random(8);
+  for (int round = 0; round < 5; ++round) {
+    Positions forces;
+    for (std::size_t v = 0; v < s.points.size(); ++v)
+      forces.push_back(random_vector(random, 1));
+    const Freedoms freedoms = sliding.freedoms(s.points, forces);
+    Positions step;
+    for (std::size_t v = 0; v < s.points.size(); ++v)
+      step.push_back(1e-3 * (freedoms[v].inverse(Matrix_3::Identity()) * random_vector(random, 1)));
+    sliding.keep_within(s.points, step);
+    for (std::size_t v = 0; v < s.points.size(); ++v)
+      EXPECT_LT(distance(s, v, s.points[v] + step[v]), 1e-9) << v;
+  }
 }
 
 // A block whose only sharp edges are those around its top: four corners that are turns

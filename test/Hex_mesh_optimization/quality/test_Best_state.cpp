@@ -96,7 +96,7 @@ TEST(Best_state, of_a_mesh_that_came_in_valid_and_in_place_never_has_a_lower_min
   b.offer(state(3), quality(0, 0, .9), .1);
   EXPECT_EQ(best(b), 2) << "nor does its boundary leave what is tolerated";
   EXPECT_EQ(Best_state(state(0), quality(0, 1, .5), 1, 0).least_minimum(), -1);
-  EXPECT_FALSE(Best_state(state(0), quality(0, 0, .5), 1, 0, 0, 0, 1).is_protected()) << "with a vertex away";
+  EXPECT_FALSE(Best_state(state(0), quality(0, 0, .5), 1, 0, 0, 0, {0, 1}).is_protected()) << "with a vertex away";
 }
 
 // Its angles do not protect it

@@ -46,19 +46,21 @@ TEST(Standing, is_a_strict_weak_order)
   }
 }
 
-TEST(Standing, counts_inverted_hexahedra_then_invalid_ones_then_the_excess_then_vertices_away)
+TEST(Standing,
+     counts_inverted_hexahedra_then_invalid_ones_then_the_excess_then_vertices_off_the_surface_then_off_features)
 {
-  EXPECT_TRUE((Standing{0, 9, 9, 0} < Standing{1, 1, 0, 0}));
-  EXPECT_TRUE((Standing{1, 1, 9, 0} < Standing{1, 2, 0, 0}));
-  EXPECT_TRUE((Standing{1, 2, .5, 0} < Standing{1, 2, .6, 0}));
-  EXPECT_TRUE((Standing{1, 2, .5, 1} < Standing{1, 2, .5, 2}));
-  EXPECT_TRUE(are_equivalent({1, 2, .5, 3}, {1, 2, .5, 3}));
+  EXPECT_TRUE((Standing{0, 9, 9, {}} < Standing{1, 1, 0, {}}));
+  EXPECT_TRUE((Standing{1, 1, 9, {}} < Standing{1, 2, 0, {}}));
+  EXPECT_TRUE((Standing{1, 2, .5, {9, 9}} < Standing{1, 2, .6, {}}));
+  EXPECT_TRUE((Standing{1, 2, .5, {1, 8}} < Standing{1, 2, .5, {1, 9}}));
+  EXPECT_TRUE((Standing{1, 2, .5, {1, 9}} < Standing{1, 2, .5, {2, 2}}));
+  EXPECT_TRUE(are_equivalent({1, 2, .5, {2, 3}}, {1, 2, .5, {2, 3}}));
 }
 
 TEST(Standing, is_good_where_all_is_valid_and_in_place)
 {
   for (const Standing& s : standings())
-    EXPECT_EQ(s.is_good(), s.invalid == 0 && s.excess == 0 && s.away == 0);
+    EXPECT_EQ(s.is_good(), s.invalid == 0 && s.excess == 0 && s.away.in_all == 0);
 }
 
 } // namespace

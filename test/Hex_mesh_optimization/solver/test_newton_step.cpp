@@ -73,6 +73,7 @@ Positions some_targets()
   return result;
 }
 
+const auto everywhere = [](const Positions& forces) { return Freedoms(forces.size(), Freedom::everywhere()); };
 const auto unrestricted = [](Positions&) {};
 const auto not_retracted = unrestricted;
 
@@ -83,8 +84,7 @@ TEST(Newton_step, reaches_the_minimum_of_a_quadratic_energy_at_once)
   parameters.tolerance = 1e-6;
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(-1, 2, 0));
-  const double reached = newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted,
-                                     parameters, matrix, points);
+  const double reached = newton_step(energy, everywhere, unrestricted, not_retracted, parameters, matrix, points);
   EXPECT_EQ(reached, energy.value(points));
   Positions gradient(n, Vector_3::Zero());
   energy.add_derivatives(points, gradient, matrix);
@@ -101,8 +101,8 @@ TEST(Newton_step, leaves_fixed_points_and_restricted_ones)
   std::vector<char> is_fixed(n, false);
   is_fixed[2] = true;
   newton_step(
-    energy, all_but(is_fixed), [](Positions& step) { step[4] = Vector_3::Zero(); }, not_retracted, Newton_parameters(),
-    matrix, points);
+    energy, [&](const Positions&) { return all_but(is_fixed); }, [](Positions& step) { step[4] = Vector_3::Zero(); },
+    not_retracted, Newton_parameters(), matrix, points);
   for (int v = 0; v < n; ++v)
     EXPECT_EQ(points[v] == start[v], v == 2 || v == 4) << v;
 }
@@ -121,7 +121,8 @@ TEST(Newton_step, keeps_to_the_freedom_of_each_point)
   freedoms[1] = Freedom::along_line(direction);
   freedoms[3] = Freedom::along_plane(normal);
   freedoms[4] = Freedom::nowhere();
-  newton_step(energy, freedoms, unrestricted, not_retracted, parameters, matrix, points);
+  newton_step(
+    energy, [&](const Positions&) { return freedoms; }, unrestricted, not_retracted, parameters, matrix, points);
   EXPECT_LT((points[1] - start[1]).cross(direction).norm(), 1e-5);
   EXPECT_LT(std::abs((points[3] - start[3]).dot(normal)), 1e-5);
   EXPECT_EQ(points[4], start[4]);
@@ -141,13 +142,13 @@ TEST(Newton_step, ends_where_points_are_retracted_to)
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(-1, 2, 0));
   const auto to_plane = [](Positions& p) { p[2].z() = 0; };
-  const double reached = newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, to_plane,
-                                     Newton_parameters(), matrix, points);
+  const double reached = newton_step(energy, everywhere, unrestricted, to_plane, Newton_parameters(), matrix, points);
   EXPECT_EQ(points[2].z(), 0);
   EXPECT_EQ(reached, energy.value(points));
 }
 
-// On a roof whose ridge it is on, a point loses on either side, however short the step: it stays, and the others go on.
+// On a roof whose ridge it is on, a point loses on either side, however short the step: it stays, and the others go on,
+// within what steps are restricted to.
 TEST(Newton_step, stops_a_point_at_a_kink_and_no_other)
 {
   const Springs energy{some_targets()};
@@ -157,11 +158,41 @@ TEST(Newton_step, stops_a_point_at_a_kink_and_no_other)
   Freedoms freedoms(n, Freedom::everywhere());
   freedoms[2] = Freedom::along_line(Vector_3::UnitX());
   const auto to_roof = [](Positions& p) { p[2].z() = -10 * std::abs(p[2].x()); };
-  const double reached = newton_step(energy, freedoms, unrestricted, to_roof, Newton_parameters(), matrix, points);
+  const double reached = newton_step(
+    energy, [&](const Positions&) { return freedoms; },
+    [](Positions& step) {
+      if (step[2].isZero(0)) // without it, the step of another one is too long
+        step[5] /= 2;
+    },
+    to_roof, Newton_parameters(), matrix, points);
   EXPECT_LT(reached, .5 * energy.value(start));
   EXPECT_EQ(reached, energy.value(points));
   for (int v = 0; v < n; ++v)
     EXPECT_EQ(points[v] == start[v], v == 2) << v;
+
+  Positions whole = start;
+  newton_step(
+    energy, [&](const Positions&) { return freedoms; }, unrestricted, to_roof, Newton_parameters(), matrix, whole);
+  EXPECT_NEAR(points[5].norm(), whole[5].norm() / 2, 1e-6 * whole[5].norm());
+}
+
+// A point is given its freedom by the force on it.
+TEST(Newton_step, asks_for_freedoms_under_the_negative_gradient)
+{
+  const Springs energy{some_targets()};
+  Block_matrix matrix = chain_matrix();
+  Positions points(n, Vector_3(-1, 2, 0)), gradient(n, Vector_3::Zero()), asked;
+  energy.add_derivatives(points, gradient, matrix);
+  newton_step(
+    energy,
+    [&](const Positions& forces) {
+      asked = forces;
+      return everywhere(forces);
+    },
+    unrestricted, not_retracted, Newton_parameters(), matrix, points);
+  ASSERT_EQ(asked.size(), gradient.size());
+  for (int v = 0; v < n; ++v)
+    EXPECT_EQ(asked[v], -gradient[v]) << v;
 }
 
 TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
@@ -170,9 +201,7 @@ TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)
   Block_matrix matrix = chain_matrix();
   Positions points(n, Vector_3(0, 0, 0));
   const double before = energy.value(points);
-  EXPECT_LT(newton_step(energy, Freedoms(n, Freedom::everywhere()), unrestricted, not_retracted, Newton_parameters(),
-                        matrix, points),
-            before);
+  EXPECT_LT(newton_step(energy, everywhere, unrestricted, not_retracted, Newton_parameters(), matrix, points), before);
   for (const Vector_3& p : points)
     EXPECT_LE(p.x(), .5);
 }

@@ -18,12 +18,16 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/Facet_freedoms.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -69,6 +73,8 @@ public:
       }
     }
     tie();
+    if (on_surface)
+      facets_ = std::make_unique<const Facet_freedoms>(surface);
     for (std::size_t v = 0; v < points.size(); ++v)
       if (kind_[v] != Kind::FREE && kind_[v] != Kind::FIXED)
         held_.push_back(static_cast<int>(v));
@@ -84,40 +90,101 @@ public:
   // From now on, all that is attached is to come to its place, and to stay there.
   void call_all() { are_all_called_ = true; }
 
+  // Until then, what stands on curves and faces already may leave them.
+  void let_go()
+  {
+    for (int v : held_)
+      is_there_[v] = is_there_[v] && kind_[v] == Kind::CORNER;
+  }
+
   // Whether some that are called have not yet come.
   bool are_some_away() const
   {
     return are_all_called_ && std::any_of(held_.begin(), held_.end(), [this](int v) { return !is_there_[v]; });
   }
 
-  // Those that are not where they are to stand, released or not.
+  // Those that are not where they are to stand, released or not, in increasing order.
   std::vector<int> vertices_away() const
   {
-    std::vector<int> result = released_;
+    std::vector<int> result;
+    for (const Release& r : released_)
+      result.push_back(r.vertex);
     std::copy_if(held_.begin(), held_.end(), std::back_inserter(result), [this](int v) { return !is_there_[v]; });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
-  // Lets go what has not come.
+  Away away(const Positions& points) const
+  {
+    const std::vector<int> vertices = vertices_away();
+    const auto off_surface = std::count_if(vertices.begin(), vertices.end(), [&](int v) {
+      return (place_on_surface(v, points[v]) - points[v]).norm() > arrival;
+    });
+    return {static_cast<std::size_t>(off_surface), vertices.size()};
+  }
+
+  // Lets go of features what has not come to them: it is to come to the surface then.
+  void release_from_features(const Positions& points)
+  {
+    for (int v : held_)
+      if (!is_there_[v])
+        release_from_feature(v);
+    notice_arrivals(points, true);
+  }
+
+  // Lets go of features what stands in the way of others that are to come to the surface: for_those_in_the_way(v, place,
+  // release) calls release(vertex) for them.
+  template <class For_those>
+  void make_way_to_surface(const Positions& points, const For_those& for_those_in_the_way)
+  {
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      if (const int v = held_[i]; !is_there_[v] && kind_[v] == Kind::SURFACE)
+        for_those_in_the_way(v, place(v, points[v]), [this](int u) { release_from_feature(u); });
+    notice_arrivals(points, true);
+  }
+
+  // Lets go altogether what has not come.
   void release_those_away()
   {
     const auto away = std::stable_partition(held_.begin(), held_.end(), [this](int v) { return is_there_[v]; });
     for (auto v = away; v != held_.end(); ++v) {
-      released_.push_back(*v);
-      kind_of_released_.push_back(std::exchange(kind_[*v], Kind::FREE));
+      if (std::none_of(released_.begin(), released_.end(), [v](const Release& r) { return r.vertex == *v; }))
+        released_.push_back({*v, kind_[*v]});
+      kind_[*v] = Kind::FREE;
     }
     held_.erase(away, held_.end());
   }
 
-  // Calls again what was let go. Tells whether there is some.
-  bool recall_released()
+  // Calls again what was let go: to its feature if can_stand(vertex, place) there, or else to the surface. Tells whether it
+  // has called any.
+  template <class Can_stand>
+  bool recall_released(const Positions& points, const Can_stand& can_stand)
   {
-    for (std::size_t i = 0; i < released_.size(); ++i)
-      kind_[released_[i]] = kind_of_released_[i];
-    held_.insert(held_.end(), released_.begin(), released_.end());
-    const bool is_some = !released_.empty();
-    released_.clear();
-    kind_of_released_.clear();
+    bool is_some = false;
+    std::vector<Release> still_released;
+    for (const Release& r : released_) {
+      const int v = r.vertex;
+      const Kind now = kind_[v];
+      const auto is_called_to = [&](Kind kind) {
+        kind_[v] = kind;
+        const bool can = kind < now && can_stand(v, place(v, points[v]));
+        if (!can)
+          kind_[v] = now;
+        return can;
+      };
+      const bool is_to_feature = is_called_to(r.kind);
+      if (!is_to_feature)
+        still_released.push_back(r);
+      if (is_to_feature || is_called_to(Kind::SURFACE)) {
+        is_some = true;
+        is_there_[v] = false;
+        if (now == Kind::FREE)
+          held_.push_back(v);
+      }
+    }
+    released_ = std::move(still_released);
+    notice_arrivals(points, true);
     return is_some;
   }
 
@@ -128,7 +195,8 @@ public:
     return kind_[u] == Kind::FIXED || (kind_[u] == Kind::CORNER && is_bound(u));
   }
 
-  Freedoms freedoms(const Positions& points) const
+  // forces: on the points, which decide at kinks of what they slide on.
+  Freedoms freedoms(const Positions& points, const Positions& forces) const
   {
     Freedoms result(points.size(), Freedom::everywhere());
     for_each(
@@ -142,10 +210,13 @@ public:
             result[v] = Freedom::nowhere();
             break;
           case Kind::CURVE:
-            result[v] = Freedom::along_line(curve(v).closest_point(points[v]).tangent);
+            result[v] = is_there_[v] ? freedom_on_curve(v, points[v], forces[v])
+                                     : Freedom::along_line(curve(v).closest_point(points[v]).tangent);
             break;
           case Kind::SURFACE:
-            result[v] = Freedom::along_plane(surface_.foot_point(points[v], hints_[v], attachment_.sheet[v]).normal);
+            result[v] = is_there_[v] ? facets_->freedom(foot(v, points[v]), forces[v])
+                                     : Freedom::along_plane(
+                                         surface_.foot_point(points[v], hints_[v], attachment_.sheet[v]).normal);
             break;
           default:
             break;
@@ -156,6 +227,26 @@ public:
       for (int v : group)
         result[v] = result[group.front()];
     return result;
+  }
+
+  // Takes from steps with these freedoms what leads off curves and faces at their kinks.
+  void keep_within(const Positions& points, Positions& step) const
+  {
+    for_each(
+      held_.size(),
+      [&](std::size_t i) {
+        const std::size_t v = held_[i];
+        if (!is_there_[v] || !is_bound(v))
+          return;
+        if (kind_[v] == Kind::SURFACE)
+          step[v] = facets_->within(foot(v, points[v]), step[v]);
+        else if (kind_[v] == Kind::CURVE)
+          step[v] = within_curve(v, points[v], step[v]);
+      },
+      searches_of_range);
+    for (const std::vector<int>& group : tied_)
+      for (int v : group)
+        step[v] = step[group.front()];
   }
 
   // Moves those that stood on their places before a step back onto them after it.
@@ -177,24 +268,36 @@ public:
         points[tied_[i][k]] += points[tied_[i][0]] - before[i];
   }
 
-  // The ways that those which are called have to their places; zero for all others.
-  Positions ways(const Positions& points) const
+  // Lets each of those that are called go the way to its place, the nearest first: go(vertices, way), of those that move
+  // together, moves them along the way as far as they can get, and tells whether that is all of it.
+  template <class Go>
+  void approach(Positions& points, const Go& go)
   {
-    Positions result(points.size(), Vector_3::Zero());
+    if (!are_all_called_)
+      return;
+    std::vector<std::pair<double, int>> order; // by the squared distance
     for (int v : held_)
-      if (!is_there_[v] && are_all_called_)
-        result[v] = place(v, points[v]) - points[v];
-    for (const std::vector<int>& group : tied_)
-      for (int v : group)
-        result[v] = result[group.front()];
-    return result;
+      if (!is_there_[v])
+        order.emplace_back((place(v, points[v]) - points[v]).squaredNorm(), v);
+    std::sort(order.begin(), order.end());
+    for (const auto& [distance, v] : order) {
+      const Vector_3 target = place(v, points[v]);
+      const auto group = std::find_if(tied_.begin(), tied_.end(), [v](const std::vector<int>& g) { return g[0] == v; });
+      if (go(group == tied_.end() ? std::vector<int>{v} : *group, Vector_3(target - points[v]))) {
+        points[v] = target;
+        is_there_[v] = true;
+      }
+    }
   }
-
-  // Tells that the ways have been gone, as far as they could be.
-  void arrive(const Positions& points) { notice_arrivals(points, are_all_called_); }
 
 private:
   enum class Kind : char { FIXED, CORNER, CURVE, SURFACE, FREE }; // the less freedom, the lower
+
+  struct Release
+  {
+    int vertex;
+    Kind kind; // before it
+  };
 
   static constexpr std::size_t searches_of_range = 64; // a search takes some microseconds
   static constexpr double arrival = 1e-11;             // mean boundary edges: what rounding leaves
@@ -224,6 +327,29 @@ private:
         is_there_[v] = (place(v, points[v]) - points[v]).norm() <= arrival;
   }
 
+  void release_from_feature(int v)
+  {
+    if (kind_[v] == Kind::CORNER || kind_[v] == Kind::CURVE) {
+      released_.push_back({v, std::exchange(kind_[v], Kind::SURFACE)});
+      is_there_[v] = false;
+    }
+  }
+
+  Freedom freedom_on_curve(std::size_t v, const Vector_3& p, const Vector_3& force) const
+  {
+    const std::array<Vector_3, 2> directions = curve(v).directions(p);
+    const int k = directions[0].dot(force) > directions[1].dot(force) ? 0 : 1;
+    return directions[k].dot(force) < 0 ? Freedom::nowhere() : Freedom::along_line(directions[k]);
+  }
+
+  Vector_3 within_curve(std::size_t v, const Vector_3& p, const Vector_3& step) const
+  {
+    for (const Vector_3& direction : curve(v).directions(p))
+      if (direction.dot(step) >= .999999 * step.norm()) // the system is solved in single precision
+        return step;
+    return Vector_3::Zero();
+  }
+
   const Feature_curve& curve(std::size_t v) const { return *surface_.curves[attachment_.curve[v]]; }
 
   Vector_3 place(std::size_t v, const Vector_3& p) const
@@ -233,21 +359,27 @@ private:
       return attachment_.corner[v];
     case Kind::CURVE:
       return curve(v).closest_point(p).point;
-    default: {
-      const Surface_point q = surface_.closest_point(p, hints_[v], attachment_.sheet[v]);
-      hints_[v] = q.hint;
-      return q.point;
+    default:
+      return place_on_surface(v, p);
     }
-    }
+  }
+
+  Vector_3 place_on_surface(std::size_t v, const Vector_3& p) const { return foot(v, p).point; }
+
+  Surface_point foot(std::size_t v, const Vector_3& p) const
+  {
+    const Surface_point q = surface_.closest_point(p, hints_[v], attachment_.sheet[v]);
+    hints_[v] = q.hint;
+    return q;
   }
 
   const Reference_surface& surface_;
   const Boundary_attachment& attachment_;
+  std::unique_ptr<const Facet_freedoms> facets_; // where vertices are to be on the surface
   std::vector<Kind> kind_;
-  std::vector<int> held_;     // vertices that are to stand on their places
-  std::vector<int> released_; // vertices that were to
-  std::vector<Kind> kind_of_released_;
-  std::vector<char> is_there_; // of each vertex
+  std::vector<int> held_;         // vertices that are to stand on their places
+  std::vector<Release> released_; // those that were to
+  std::vector<char> is_there_;    // of each vertex
   bool are_all_called_ = false;
   mutable std::vector<std::size_t> hints_; // for searches; whatever they are, the results are the same
   std::vector<std::vector<int>> tied_;     // vertices that move together

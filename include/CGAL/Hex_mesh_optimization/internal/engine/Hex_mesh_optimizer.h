@@ -180,7 +180,7 @@ private:
   Standing standing_of(const Positions& points)
   {
     const Mesh_quality quality(mesh_.complex, points);
-    return {quality.inverted, quality.invalid, excess(points), sliding(points).vertices_away().size()};
+    return {quality.inverted, quality.invalid, excess(points), sliding(points).away(points)};
   }
 
   // Whether a bound is not met, or was at the cost of the quality that is worth holding without one.
@@ -277,7 +277,9 @@ private:
   Stage_end untangle(Positions& points, Untangling::Attempt attempt = Untangling::Attempt::LAST)
   {
     const Timer timer(control_, report_.status.untangling_seconds);
-    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.targets.lengths, sliding(points),
+    Sliding held = sliding(points);
+    held.let_go(); // within the surface, some do not untangle
+    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.targets.lengths, held,
                       parameters_.untangling)
       .run(points, control_, attempt);
   }

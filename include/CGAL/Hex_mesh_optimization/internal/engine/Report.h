@@ -91,7 +91,7 @@ public:
         if (is_locked(mesh_.complex.hexahedra[h]))
           status.locked_hexahedra.push_back(mesh_.order.given_hexahedron(h));
       }
-    for (int v : vertices_away(positions_))
+    for (int v : sliding(positions_).vertices_away())
       status.released_vertices.push_back(mesh_.order.given_vertex(v));
     std::sort(status.released_vertices.begin(), status.released_vertices.end());
     for (Connectivity_limit limit : connectivity_limits(mesh_.complex, model_.attachment)) {
@@ -145,12 +145,13 @@ private:
     return result;
   }
 
-  std::vector<int> vertices_away(const Positions& positions) const
+  Sliding sliding(const Positions& positions) const
   {
     return Sliding(*model_.surface, model_.attachment, parameters_.boundary_placement, model_.in_units(positions),
-                   mesh_.complex.ties)
-      .vertices_away();
+                   mesh_.complex.ties);
   }
+
+  Away away(const Positions& positions) const { return sliding(positions).away(model_.in_units(positions)); }
 
   // Whether a corner is inverted whose vertices are all fixed.
   bool is_locked(const Hexahedron& h) const
@@ -198,9 +199,8 @@ private:
       excess = excess_over_bound(status.deviation);
     }
     const Standing before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before,
-                          vertices_away(mesh_.points).size()};
-    const Standing now{status.after.number_of_inverted, status.after.number_of_invalid, excess,
-                       vertices_away(positions_).size()};
+                          away(mesh_.points)};
+    const Standing now{status.after.number_of_inverted, status.after.number_of_invalid, excess, away(positions_)};
     return before < now || (before.is_good() && status.after.minimum < status.before.minimum);
   }
 

@@ -24,6 +24,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_assembly.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Sum_of_energies.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Arrivals.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_floor.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/hold_corners.h>
@@ -70,6 +71,7 @@ public:
     , boundary_(samples, distance, complex.number_of_vertices())
     , sliding_(sliding)
     , targets_(targets)
+    , arrivals_(complex, targets_.lengths, sliding, parameters.arrivals)
   {
     // a hexahedron keeps its lengths as closely as the most certain of them
     const double weight = targets.are_asked_for ? parameters.weight_of_lengths_asked_for : 1;
@@ -97,33 +99,28 @@ public:
     };
     if (is_target_reached())
       return Stage_end::CONVERGED;
-    Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.vertices_away().size());
+    Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.away(points));
+    // what stands exactly on curves and faces may leave them for a time, unless it would be worse off for good
+    if (!best.is_protected())
+      sliding_.let_go();
     Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
-    bool is_to_arrive = sliding_.holds_more_than_corners();
+    const bool is_to_arrive = sliding_.holds_more_than_corners();
     Phase phase = Phase::CLIMBING;
     bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
-    double called_at = 0, least_away = 0;                        // minimum, vertices
-    std::size_t calls = 0, begun = 0, waited = 0, settled = 0;   // begun: the iteration in which climbing has
+    std::size_t begun = 0, waited = 0, settled = 0;              // begun: the iteration in which climbing has
     std::size_t stalled = 0, unrefined = 0;                      // iterations
     std::size_t refinements = 0, last_refinements = 0;
     boundary_.tightness = parameters_.start_tightness;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
-        const double away = double(sliding_.vertices_away().size());
-        if (away > parameters_.progress_of_arrivals * least_away)
-          level_ *= parameters_.yielding_to_arrivals;
-        least_away = (std::min)(least_away, away);
-        if (level_ <
-            (calls == 1 ? parameters_.least_part_for_arrivals : parameters_.least_part_for_recalls) * called_at)
-          sliding_.release_those_away();
-        floor_.restart();
-        if (!sliding_.are_some_away()) {
+        if (!arrivals_.go_on(points)) {
           phase = Phase::CLIMBING;
-          level_ = 0;
+          boundary_.tightness = parameters_.start_tightness;
           begun = i;
           climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
         }
+        floor_.restart();
       }
       else if (phase == Phase::CLIMBING) {
         const bool is_high = quality.minimum >= floor_.worth_holding(quality) &&
@@ -159,27 +156,32 @@ public:
       }
       const bool approaches = sliding_.are_some_away();
       if (approaches) {
-        approach(quality, points);
+        arrivals_.approach(quality.scaled_jacobians, least_scaled_jacobians(quality, 1),
+                           parameters_.least_part_of_corner, points);
         quality = Mesh_quality(complex_, points);
       }
       if (approaches || (samples_.is_bounded() && boundary_.tightness < 1)) // walls move with the tightness
         samples_.update(points, boundary_.tightness);
-      // once all are called the worst give nothing, as they stand in the way
-      const Batched_values<1> least = least_scaled_jacobians(quality, calls > 0 ? 1 : parameters_.least_part_of_corner);
+      // the worst give nothing to arrivals: they would be worn down
+      const Batched_values<1> least = least_scaled_jacobians(quality, phase == Phase::ARRIVING
+                                                                        ? 1
+                                                                        : parameters_.least_part_of_corner);
       const auto retract = [this](Positions& p) { sliding_.retract(p); };
       const auto restrict_step = [&](Positions& step) {
+        sliding_.keep_within(points, step);
         hold_corners(
           complex_, batches_, points, least, parameters_.holding_rounds,
-          calls > 0 ? Last_resort::UNTIL_NONE_IS_RUINED : Last_resort::NONE, retract,
+          arrivals_.have_begun() ? Last_resort::UNTIL_NONE_IS_RUINED : Last_resort::NONE, retract,
           [&](const Positions& reached, std::vector<char>& is_ruined) {
             samples_.find_leaving(points, reached, complex_, is_ruined);
-            if (calls > 0)
+            if (arrivals_.have_begun())
               find_invalidated(points, reached, is_ruined);
           },
           step);
       };
-      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), sliding_.freedoms(points),
-                                        restrict_step, retract, parameters_.newton, matrix_, points);
+      const auto freedoms = [&](const Positions& forces) { return sliding_.freedoms(points, forces); };
+      const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), freedoms, restrict_step, retract,
+                                        parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       samples_.update(points, boundary_.tightness);
       excess = samples_.excess(points);
@@ -216,9 +218,10 @@ public:
           excess = samples_.excess(points);
         }
       }
-      // what was good is left as it was rather than loosely attached
-      if (boundary_.tightness == 1 || !best.is_protected())
-        best.offer(points, quality, excess, looseness(settled), sliding_.vertices_away().size());
+      // what was good is left as it was rather than loosely attached, and what is on its way is no result
+      if (arrivals_.have_begun() ? phase == Phase::SETTLING && boundary_.tightness == 1
+                                 : boundary_.tightness == 1 || !best.is_protected())
+        best.offer(points, quality, excess, looseness(settled), sliding_.away(points));
       climb.add(quality);
       if (boundary_.tightness < 1)
         settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
@@ -245,17 +248,11 @@ public:
         }
       }
       // what was let go may come after all, once those around it have given way
-      if (!is_to_arrive && (calls == 0 || calls == parameters_.most_calls || !sliding_.recall_released())) {
+      if (!is_to_arrive || !arrivals_.call(points, quality.minimum)) {
         used_up = used_up || (is_over && !is_settled);
         break;
       }
-      is_to_arrive = false;
       phase = Phase::ARRIVING;
-      sliding_.call_all();
-      level_ = quality.minimum;
-      if (calls++ == 0)
-        called_at = level_;
-      least_away = std::numeric_limits<double>::infinity();
     }
     points = best.points();
     return control.stage_end(used_up);
@@ -305,31 +302,6 @@ private:
     adapt_lengths(points);
   }
 
-  // Goes the ways of what is called to its place, as far as the hexahedra allow it. What is below the level that is
-  // held gives nothing: in each iteration a part of what is left would wear it down.
-  void approach(const Mesh_quality& quality, Positions& points)
-  {
-    Batched_values<1> least = least_scaled_jacobians(quality, 1);
-    if (level_ > 0) // nor does any lose much at once: the others have to follow
-      for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h) {
-        const double own = quality.scaled_jacobians[h], level = parameters_.least_part_of_corner * level_;
-        least.set(h, 0, (std::min)(own, (std::max)(level, parameters_.least_part_of_hexahedron * own)));
-      }
-    Positions step = sliding_.ways(points);
-    hold_corners(
-      complex_, batches_, points, least, parameters_.holding_rounds, Last_resort::UNTIL_NONE_IS_RUINED,
-      [](Positions&) {},
-      [&](const Positions& reached, std::vector<char>& is_ruined) {
-        if (level_ > 0) {
-          find_invalidated(points, reached, is_ruined);
-          find_collapsing(points, reached, is_ruined);
-        }
-      },
-      step);
-    for_each(points.size(), [&](std::size_t v) { points[v] += step[v]; });
-    sliding_.arrive(points);
-  }
-
   // Those that are certified at points, and not where they are reached: their corners may all be good.
   void find_invalidated(const Positions& points, const Positions& reached, std::vector<char>& is_ruined) const
   {
@@ -342,24 +314,12 @@ private:
     });
   }
 
-  // Those of which an edge gets too short: scaled Jacobians are blind to it, and the derivatives of the shape are not.
-  void find_collapsing(const Positions& points, const Positions& reached, std::vector<char>& is_ruined) const
-  {
-    const auto length = [](const Positions& p, const std::array<int, 2>& e) { return (p[e[1]] - p[e[0]]).norm(); };
-    for_each(is_ruined.size(), [&](std::size_t h) {
-      for (int directed : complex_.hexahedron_edges[h]) {
-        const std::array<int, 2>& e = complex_.edges[directed / 2];
-        if (length(reached, e) < (std::min)(parameters_.least_edge * targets_.lengths[directed / 2],
-                                            parameters_.least_part_of_edge * length(points, e)))
-          is_ruined[h] = true;
-      }
-    });
-  }
-
   // What no corner of each hexahedron may drop below in the next step. part: of its own.
   Batched_values<1> least_scaled_jacobians(const Mesh_quality& quality, double part) const
   {
-    const double level = level_ > 0 ? level_ : floor_.held() > 0 ? floor_.held() : quality.minimum;
+    const double level = arrivals_.level() > 0 ? arrivals_.level()
+                         : floor_.held() > 0   ? floor_.held()
+                                               : quality.minimum;
     Batched_values<1> least(quality.scaled_jacobians.size());
     for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h)
       least.set(h, 0, (std::min)(parameters_.least_part_of_corner * level, part * quality.scaled_jacobians[h]));
@@ -410,8 +370,8 @@ private:
   Hexahedra_energy hexahedra_;
   Boundary_energy boundary_;
   Sliding& sliding_;
-  Target_lengths targets_;             // of the edges
-  double level_ = 0;                   // below which nothing gives way to arrivals, while there are any
+  Target_lengths targets_; // of the edges
+  Arrivals arrivals_;
   double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
   double bounded_shape_ = 1;           // the part of the first that bounds ask for
 };

@@ -32,7 +32,7 @@ public:
   // Accepted is a minimum down to part · highest − loss. excess and away: as in Standing. looseness: the greater, the
   // looser.
   Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss,
-             double excess = 0, double looseness = 0, std::size_t away = 0)
+             double excess = 0, double looseness = 0, const Away& away = Away())
     : points_(points)
     , standing_{quality.inverted, quality.invalid, excess, away}
     , looseness_(looseness)
@@ -44,7 +44,7 @@ public:
   {}
 
   void offer(const Positions& points, const Mesh_quality& quality, double excess = 0, double looseness = 0,
-             std::size_t away = 0)
+             const Away& away = Away())
   {
     const Standing standing{quality.inverted, quality.invalid, excess, away};
     const bool is_worse = standing_ < standing || (!(standing < standing_) && looseness > looseness_);

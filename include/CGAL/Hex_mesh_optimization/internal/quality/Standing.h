@@ -18,20 +18,28 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
+// Vertices that do not stand exactly where they are to stand.
+struct Away
+{
+  std::size_t off_surface = 0; // and not only off its features
+  std::size_t in_all = 0;
+};
+
 struct Standing
 {
   std::size_t inverted, invalid; // hexahedra
   double excess;                 // of the boundary over what is tolerated, at its worst place; 0 within the tolerance
-  std::size_t away;              // vertices that do not stand exactly where they are to stand
+  Away away;
 
-  bool is_good() const { return invalid == 0 && !(excess > 0) && away == 0; }
+  bool is_good() const { return invalid == 0 && !(excess > 0) && away.in_all == 0; }
 };
 
 // Whether the first comes before the second: the fewest inverted hexahedra, the fewest invalid ones, the least excess,
 // the fewest vertices away from corners, and from curves and faces where those are exact.
 inline bool operator<(const Standing& a, const Standing& b)
 {
-  return std::tie(a.inverted, a.invalid, a.excess, a.away) < std::tie(b.inverted, b.invalid, b.excess, b.away);
+  return std::tie(a.inverted, a.invalid, a.excess, a.away.off_surface, a.away.in_all) <
+         std::tie(b.inverted, b.invalid, b.excess, b.away.off_surface, b.away.in_all);
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal
