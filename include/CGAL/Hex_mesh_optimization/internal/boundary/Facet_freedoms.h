@@ -102,7 +102,7 @@ private:
   // The vertex, the edge or the triangle that a point is in the inside of.
   struct Carrier
   {
-    std::array<int, 3> vertices;
+    std::array<int, 3> vertices{};
     int size = 0; // number of the vertices
 
     bool has(int v) const
