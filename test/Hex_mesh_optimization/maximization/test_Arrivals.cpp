@@ -5,6 +5,7 @@
 // where they do not.
 
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Arrivals.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 
 #include "../Attached_mesh.h"
 #include "../mesh_families.h"
