@@ -86,7 +86,8 @@ struct Status
 
   /// The vertices that do not stand exactly where they are to stand, on a corner of the reference or, with
   /// `Boundary_placement::ON_SURFACE`, on its curves and faces, in increasing order: hexahedra that have them would
-  /// have been ruined, or the run ended before they arrived.
+  /// have been ruined, or the run ended before they arrived. With `Boundary_placement::ON_SURFACE`, those that belong to
+  /// corners and curves stand on the surface all the same, if hexahedra can hold them there.
   std::vector<std::size_t> released_vertices;
 
   /// The hexahedra that are no better than a limit that the connectivity sets, whether they reach it or not, in
