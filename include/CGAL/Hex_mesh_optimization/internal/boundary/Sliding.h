@@ -138,9 +138,11 @@ public:
   template <class For_those>
   void make_way_to_surface(const Positions& points, const For_those& for_those_in_the_way)
   {
-    for (std::size_t i = 0; i < held_.size(); ++i)
-      if (const int v = held_[i]; !is_there_[v] && kind_[v] == Kind::SURFACE)
-        for_those_in_the_way(v, place(v, points[v]), [this](int u) { release_from_feature(u); });
+    std::vector<int> to_surface; // and not what is sent there now
+    std::copy_if(held_.begin(), held_.end(), std::back_inserter(to_surface),
+                 [this](int v) { return !is_there_[v] && kind_[v] == Kind::SURFACE; });
+    for (int v : to_surface)
+      for_those_in_the_way(v, place(v, points[v]), [this](int u) { release_from_feature(u); });
     notice_arrivals(points, true);
   }
 

@@ -68,14 +68,14 @@ public:
   void certify(Positions result, double excess_before, double excess)
   {
     positions_ = std::move(result);
-    is_off_ = excess > 0;
+    is_off_ = excess > 0 || away(positions_).in_all > 0;
     status.after = mesh_.statistics(positions_);
     Deviations measured = measured_deviations(positions_);
     status.deviation_bound = parameters_.maximum_deviation;
     status.deviation = measured.all;
     if (is_perfect() || is_worse(excess_before, excess)) {
       positions_ = mesh_.points;
-      is_off_ = excess_before > 0;
+      is_off_ = excess_before > 0 || away(mesh_.points).in_all > 0;
       status.after = status.before;
       measured = measured_deviations(mesh_.points);
       status.deviation = measured.all;
@@ -215,7 +215,7 @@ private:
   const Model& model_;
   const Optimization_parameters& parameters_;
   Positions positions_;
-  bool is_off_ = false; // the reference, by more than is tolerated
+  bool is_off_ = false; // the reference, by more than is tolerated, or what vertices are to stand on
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal
