@@ -8,6 +8,7 @@
 #include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 
+#include "Marked_vertices.h"
 #include "boundary_surface_mesh.h"
 #include "mesh_checks.h"
 #include "mesh_families.h"
@@ -213,9 +214,9 @@ TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it_where_that_costs_q
   expect_on_surface(sheared(GetParam()()), std::string(GetParam().name) != "ring");
 }
 
-// A corner of the reference within the hexahedron whose vertex belongs to it: that is released, stands on the surface all
-// the same, and the quality that was asked for does not count as reached.
-TEST(Boundary_guarantees, a_corner_out_of_reach_is_released_on_the_surface)
+// A corner of the reference within the hexahedron whose vertex belongs to it, and no other vertex may give way: it is
+// released, and the quality that was asked for does not count as reached.
+TEST(Boundary_guarantees, a_corner_out_of_reach_is_released)
 {
   Indexed_mesh mesh;
   HMO::make_block(mesh.points, mesh.hexahedra, {{4, 4, 4}}, {{4, 4, 4}});
@@ -225,25 +226,16 @@ TEST(Boundary_guarantees, a_corner_out_of_reach_is_released_on_the_surface)
     if (reference.point(v) == Point(0, 0, 0))
       reference.point(v) = place;
   const std::size_t corner = std::find(mesh.points.begin(), mesh.points.end(), Point(0, 0, 0)) - mesh.points.begin();
-  const Status status =
-    CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference,
-                            params::boundary_placement(Boundary_placement::ON_SURFACE).target_quality(.05));
+  std::vector<char> is_frozen(mesh.points.size(), true);
+  is_frozen[corner] = false;
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference,
+                                                params::boundary_placement(Boundary_placement::ON_SURFACE)
+                                                  .target_quality(.05)
+                                                  .vertex_is_constrained_map(Marked_vertices{&is_frozen}));
   EXPECT_TRUE(status.valid_mesh());
   EXPECT_GT(status.after.minimum, .05);
   EXPECT_EQ(status.released_vertices, std::vector<std::size_t>{corner});
   EXPECT_NE(status.return_code, HMO::Return_code::TARGET_QUALITY_REACHED);
-  std::vector<Kernel::Triangle_3> triangles;
-  for (auto f : reference.faces()) {
-    std::vector<Point> corners;
-    for (auto v : reference.vertices_around_face(reference.halfedge(f)))
-      corners.push_back(reference.point(v));
-    triangles.emplace_back(corners[0], corners[1], corners[2]);
-  }
-  const auto complex = mesh.complex();
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (complex.is_on_boundary[v]) {
-      EXPECT_LT(distance(mesh.points[v], triangles), 1e-10) << v;
-    }
 }
 
 // A thin solid of length 1 and width .25, whose vertices have slid along it. n: hexahedra along it; thickness: of all
