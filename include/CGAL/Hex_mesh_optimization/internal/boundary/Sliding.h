@@ -90,11 +90,11 @@ public:
   // From now on, all that is attached is to come to its place, and to stay there.
   void call_all() { are_all_called_ = true; }
 
-  // Until then, what stands on curves and faces already may leave them.
+  // Until then, what stands on its place already may leave it, but for corners where curves meet.
   void let_go()
   {
     for (int v : held_)
-      is_there_[v] = is_there_[v] && kind_[v] == Kind::CORNER;
+      is_there_[v] = is_there_[v] && kind_[v] == Kind::CORNER && attachment_.corner_rank[v] == Corner_rank::JUNCTION;
   }
 
   // Whether some that are called have not yet come.
