@@ -44,7 +44,7 @@ public:
 
   // Of a point on the surface. O(triangles around it). A tangent plane of the surface that is meant would be no good: what
   // leaves the triangle is undone, and with it what the step was to gain (measured on a CAD part, all of it on its
-  // reference: the minimum is .46 instead of .04).
+  // reference: the minimum was .40 instead of .04).
   Freedom freedom(const Surface_point& p, const Vector_3& force) const
   {
     const Carrier at = carrier(p);

@@ -30,7 +30,6 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// "Measured" refers to eleven organic and CAD models, all of whose vertices are to be on their surface.
 struct Arrival_parameters
 {
   // The minimum that the hexahedra keep yields by the factor in each iteration in which the number of those that are away
@@ -47,7 +46,7 @@ struct Arrival_parameters
   // What was let go is called again after all others have settled, until all are there, or none could stand at its place,
   // or so many calls were made.
   std::size_t most_calls = 4;
-  // What is left to a hexahedron of its own minimum in each iteration (measured on an organic model: .93 is too slow).
+  // What is left to a hexahedron of its own minimum in each iteration: the others have to follow.
   double least_part_of_hexahedron = .85;
   // Edges shorter than this part of their target lengths keep this part of their length in each iteration: scaled
   // Jacobians are blind to them, and the derivatives of the shape are not.

@@ -79,8 +79,7 @@ struct Maximization_parameters
   double accepted_loss = .01;
 
   // --- Third phase, where vertices stand exactly on curves and faces: they come to their places ---
-  // After it the first two phases follow again, with what has come sliding. (Measured: with the boundary as tight in them
-  // as it was, a CAD part has a minimum of .29 instead of .38, an organic one .55 instead of .56.)
+  // After it the first two phases follow again, with what has come sliding.
   Arrival_parameters arrivals;
 
   // Lengths that the caller asks for are kept so many times as closely as those that only seem to be meant, at what that

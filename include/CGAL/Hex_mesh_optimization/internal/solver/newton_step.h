@@ -53,7 +53,8 @@ inline bool stop_at_kinks(const Positions& points, const Positions& reached, dou
 //     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
 //
 // Moves the points, each within its freedom; freedoms_under(forces), the negative gradient, gives those of all points.
-// restrict_step(direction) may shorten the steps of single points; retract(points) takes those that slide on something curved back onto it. Returns the energy reached.
+// restrict_step(direction) may shorten the steps of single points; retract(points) takes those that slide on something
+// curved back onto it. Returns the energy reached.
 template <class Energy, class Freedoms_under, class Restrict, class Retract>
 double newton_step(const Energy& energy, const Freedoms_under& freedoms_under, const Restrict& restrict_step,
                    const Retract& retract, const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
