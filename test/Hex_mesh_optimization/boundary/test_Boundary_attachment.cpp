@@ -193,6 +193,41 @@ TEST(Boundary_attachment_by_matching, leaves_vertices_to_the_curve_that_needs_th
   }
 }
 
+// A crease across the top of a cube that swerves by a little more than half of an edge: to swerve with it would take
+// corners of faces with both of their edges on it, which are flat where it is straight
+TEST(Boundary_attachment_by_matching, goes_straight_on_rather_than_round_corners_of_faces)
+{
+  const int n = 12;
+  const Generated_mesh mesh = block(n);
+  Reference reference = Reference::of(mesh);
+  std::vector<int> crease(n + 1, -1);
+  for (std::size_t v = 0; v < reference.points.size(); ++v) {
+    Vector_3& p = reference.points[v];
+    if (p.z() == 1 && std::abs(p.y() - .5) < 1e-9) {
+      crease[std::lround(n * p.x())] = static_cast<int>(v);
+      if (p.x() > .2 && p.x() < .8)
+        p.y() += .6 / n;
+    }
+  }
+  auto sharp = sharp_edges(reference.points, reference.triangles, 45);
+  for (int i = 0; i < n; ++i)
+    sharp.push_back({(std::min)(crease[i], crease[i + 1]), (std::max)(crease[i], crease[i + 1])});
+  const Reference_surface surface(reference.points, reference.triangles, sharp, true, Feature_parameters());
+  const Boundary_attachment attachment = Attachment_by_matching(mesh.complex, mesh.points, surface).attachment;
+  int on_crease = 0;
+  for (std::size_t e = 0; e < mesh.complex.edges.size(); ++e) {
+    const Vector_3 &a = mesh.points[mesh.complex.edges[e][0]], &b = mesh.points[mesh.complex.edges[e][1]];
+    const Vector_3 middle = (a + b) / 2;
+    const bool is_inside_the_top = middle.z() == 1 && middle.x() > 0 && middle.x() < 1 && middle.y() > 0 &&
+                                   middle.y() < 1;
+    if (attachment.curve_of_edge[e] >= 0 && is_inside_the_top) {
+      ++on_crease;
+      EXPECT_NEAR(middle.y(), .5, 1e-9) << middle.x();
+    }
+  }
+  EXPECT_EQ(on_crease, n);
+}
+
 TEST(Boundary_attachment_by_matching, of_an_l_keeps_the_reentrant_edge)
 {
   const Generated_mesh mesh = l_shape(3);

@@ -182,7 +182,6 @@ TEST_P(Sliding_of_families, releases_what_is_away_from_features_before_the_surfa
            distance(s, v, s.points[v]) > 1e-3 + (on_surface(v) - s.points[v]).norm();
   });
   const int last = on_feature == called.end() ? called.back() : *on_feature;
-  const bool has_feature = on_feature != called.end();
   approach_all_but(last, sliding, s.points);
   EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
 
@@ -205,53 +204,51 @@ TEST_P(Sliding_of_families, releases_what_is_away_from_features_before_the_surfa
   approach_all_but(none, sliding, s.points);
   EXPECT_EQ(sliding.away(s.points).off_surface, 1u) << "it is not called";
 
-  // called again, if it can stand at its place, or on the surface at least
-  const auto nowhere = [](int, const Vector_3&) { return false; };
-  EXPECT_FALSE(sliding.recall_released(s.points, nowhere));
-  if (has_feature) {
-    const auto not_on_feature = [&](int v, const Vector_3& place) { return (place - on_surface(v)).norm() < 1e-12; };
-    EXPECT_TRUE(sliding.recall_released(s.points, not_on_feature));
-    approach_all_but(none, sliding, s.points);
-    EXPECT_EQ(sliding.away(s.points).off_surface, 0u);
-    EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
-    EXPECT_FALSE(sliding.recall_released(s.points, nowhere));
-  }
-  const auto anywhere = [](int, const Vector_3&) { return true; };
-  EXPECT_TRUE(sliding.recall_released(s.points, anywhere));
+  sliding.recall_released(s.points);
+  EXPECT_TRUE(sliding.are_some_away());
   EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
-  approach_all_but(none, sliding, s.points);
+  sliding.approach(s.points, [&](const std::vector<int>& vertices, const Vector_3& way) {
+    EXPECT_EQ(vertices[0], last);
+    EXPECT_NEAR(way.norm(), distance(s, last, s.points[last]), 1e-12) << "to its feature, if it has one";
+    s.points[last] += way;
+    return true;
+  });
   EXPECT_TRUE(sliding.vertices_away().empty());
   EXPECT_LT(freedoms_without_force(sliding, s.points)[last].dimension(), 3);
-  EXPECT_FALSE(sliding.recall_released(s.points, anywhere));
+  sliding.recall_released(s.points);
+  EXPECT_FALSE(sliding.are_some_away());
 }
 
-// Features give way to vertices that are to come to the surface, where they are told to
-TEST(Sliding, lets_go_of_features_in_the_way_to_the_surface)
+TEST_P(Sliding_of_families, notices_who_stands_where_at_other_points)
 {
-  Attached_mesh s(mesh_families()[0]());
-  int away = none, on_curve = none;
-  for (std::size_t v = 0; v < s.points.size(); ++v) {
-    if (s.attachment.kind[v] == Vertex_kind::SURFACE)
-      away = static_cast<int>(v);
-    if (s.attachment.kind[v] == Vertex_kind::FEATURE)
-      on_curve = static_cast<int>(v);
-  }
-  ASSERT_NE(away, none);
-  ASSERT_NE(on_curve, none);
-  s.points[away] += Vector_3(.1, .1, .1);
+  Attached_mesh s(GetParam()());
   Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
-  sliding.call_all();
-  int asked = 0;
-  sliding.make_way_to_surface(s.points, [&](int v, const Vector_3&, const auto& release) {
-    EXPECT_EQ(v, away);
-    ++asked;
-    release(on_curve);
-    release(v); // is not on a feature
-  });
-  EXPECT_EQ(asked, 1);
-  EXPECT_EQ(sliding.vertices_away(), (std::vector<int>{(std::min)(away, on_curve), (std::max)(away, on_curve)}));
-  EXPECT_EQ(sliding.away(s.points).off_surface, 1u);
-  EXPECT_EQ(freedoms_without_force(sliding, s.points)[on_curve].dimension(), 2);
+  const Positions before = s.points;
+  EXPECT_TRUE(sliding.vertices_away().empty());
+  std::mt19937 random(9);
+  s.scramble(random, .2, true);
+  sliding.notice(s.points);
+  EXPECT_EQ(sliding.vertices_away().size(), sliding.away(s.points).in_all);
+  EXPECT_FALSE(sliding.vertices_away().empty());
+  sliding.notice(before);
+  EXPECT_TRUE(sliding.vertices_away().empty());
+}
+
+// Where vertices may be tried: what has come keeps to its curve or face, corners do not move, and all else is free
+TEST_P(Sliding_of_families, tells_places_near_others)
+{
+  const Attached_mesh s(GetParam()());
+  const Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
+  std::mt19937 random(10);
+  for (int v = 0; v < static_cast<int>(s.points.size()); ++v) {
+    const bool is_corner = s.attachment.kind[v] == Vertex_kind::CORNER;
+    EXPECT_EQ(sliding.movable_with(v), is_corner ? std::vector<int>() : std::vector<int>{v});
+    const Vector_3 p = s.points[v] + random_vector(random, .2), q = sliding.place_near(v, p);
+    if (s.attachment.kind[v] == Vertex_kind::INTERIOR)
+      EXPECT_EQ(q, p);
+    else
+      EXPECT_LT(distance(s, v, q), 1e-12);
+  }
 }
 
 // Until all are called, what stands on curves and faces may be let go; corners stay

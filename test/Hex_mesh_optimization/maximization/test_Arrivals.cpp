@@ -98,13 +98,14 @@ TEST_P(Arrivals_of_families, keep_valid_what_is_valid_and_no_less_than_the_level
   }
 }
 
-// A corner of the reference that the vertex could reach only through its hexahedron
-struct Corner_out_of_reach
+// A corner of the reference that is so many times as far from the vertex as the center of its hexahedron, this way: from
+// 2/3 on it cannot stand there among its neighbors, and far beyond not wherever they slide
+struct Corner_inside
 {
   Attached_mesh mesh{mesh_families()[0]()};
   int vertex = -1;
 
-  Corner_out_of_reach()
+  explicit Corner_inside(double distance)
   {
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
       if (mesh.attachment.kind[v] == Vertex_kind::CORNER)
@@ -113,13 +114,13 @@ struct Corner_out_of_reach
     Vector_3 center = Vector_3::Zero();
     for (int v : h)
       center += mesh.points[v] / 8;
-    mesh.attachment.corner[vertex] = mesh.points[vertex] + 3 * (center - mesh.points[vertex]);
+    mesh.attachment.corner[vertex] = mesh.points[vertex] + distance * (center - mesh.points[vertex]);
   }
 };
 
 TEST(Arrivals, let_a_feature_go_that_its_hexahedron_cannot_hold_and_keep_the_surface)
 {
-  Corner_out_of_reach c;
+  Corner_inside c(3);
   Arriving a(c.mesh);
   ASSERT_TRUE(a.call());
   EXPECT_LT(a.come(), 1000);
@@ -129,9 +130,23 @@ TEST(Arrivals, let_a_feature_go_that_its_hexahedron_cannot_hold_and_keep_the_sur
   EXPECT_FALSE(a.call()) << "it could not stand there";
 }
 
+TEST(Arrivals, find_a_place_by_others_making_room)
+{
+  Corner_inside c(.9);
+  Arriving a(c.mesh);
+  ASSERT_TRUE(a.call());
+  EXPECT_LT(a.come(), 1000);
+  EXPECT_TRUE(a.sliding.vertices_away().empty());
+  EXPECT_EQ(c.mesh.points[c.vertex], c.mesh.attachment.corner[c.vertex]);
+  const Mesh_quality quality(c.mesh.complex, c.mesh.points);
+  EXPECT_EQ(quality.invalid, 0u);
+  EXPECT_GE(quality.minimum, Arrival_parameters().least_minimum - 1e-6);
+  EXPECT_EQ(a.sliding.away(c.mesh.points).in_all, 0u);
+}
+
 TEST(Arrivals, are_called_again_as_often_as_is_said)
 {
-  Corner_out_of_reach c;
+  Corner_inside c(3);
   Arrival_parameters parameters;
   parameters.most_calls = 1;
   Arriving a(c.mesh, parameters);
@@ -140,11 +155,11 @@ TEST(Arrivals, are_called_again_as_often_as_is_said)
   c.mesh.attachment.corner[c.vertex] = c.mesh.points[c.vertex];
   EXPECT_FALSE(a.call());
 
-  Corner_out_of_reach d;
+  Corner_inside d(3);
   Arriving b(d.mesh);
   ASSERT_TRUE(b.call());
   b.come();
-  d.mesh.attachment.corner[d.vertex] = d.mesh.points[d.vertex]; // now it could
+  d.mesh.attachment.corner[d.vertex] = d.mesh.points[d.vertex] + Vector_3(.1, .1, .1); // now it could
   EXPECT_TRUE(b.call());
   b.come();
   EXPECT_TRUE(b.sliding.vertices_away().empty());

@@ -44,14 +44,19 @@ public:
     , points_(points)
     , surface_(surface)
   {
-    std::vector<int> ends;
+    std::vector<int> directed; // edges of the boundary
     for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges) {
-      ends.push_back(complex.edges[e.edge][0]);
-      ends.push_back(complex.edges[e.edge][1]);
+      directed.push_back(2 * e.edge);
+      directed.push_back(2 * e.edge + 1);
     }
-    neighbors_ = Grouped_array(
-      complex.number_of_vertices(), ends.size(), [&](std::size_t k) { return ends[k]; },
-      [&](std::size_t k) { return ends[k ^ 1]; });
+    leaving_ = Grouped_array(
+      complex.number_of_vertices(), directed.size(), [&](std::size_t k) { return head(directed[k] ^ 1); },
+      [&](std::size_t k) { return directed[k]; });
+    for (const Hexahedral_complex::Boundary_face& f : complex.boundary_faces)
+      for (int k = 0; k < 4; ++k)
+        turns_.push_back(turn(complex.find_edge(f.vertices[k], f.vertices[(k + 1) % 4]),
+                              complex.find_edge(f.vertices[(k + 1) % 4], f.vertices[(k + 2) % 4])));
+    std::sort(turns_.begin(), turns_.end());
     std::vector<int> vertex_of(surface.points.size(), -1);
     attach_corners(end, vertex_of);
     std::vector<Path> paths;
@@ -63,8 +68,8 @@ public:
       }
     users_.resize(points.size(), 0);
     disputes_.resize(points.size(), 0);
-    cost_.resize(points.size(), std::numeric_limits<double>::infinity());
-    previous_.resize(points.size(), -1);
+    cost_.resize(2 * complex.edges.size(), std::numeric_limits<double>::infinity());
+    previous_.resize(2 * complex.edges.size(), -1);
     negotiate(paths);
     attach(paths);
   }
@@ -87,6 +92,9 @@ private:
   // An open curve that is so much longer than its ends are apart is followed by way of others of its places: the
   // shortest path between its ends is another way round.
   static constexpr double bent = 3;
+  // What an edge costs more, in its own lengths, when it goes on from the one before within one face while the curve goes
+  // straight on: the corner of this face would be flat.
+  static constexpr double cost_of_flat_corner = 10;
   // What an edge costs more, in its own lengths, when another curve uses the vertex that it leads to: in each round by
   // a factor more; and for each round in which that was so before.
   static constexpr int rounds = 20;
@@ -97,9 +105,9 @@ private:
   double mean_edge_around(int v) const
   {
     double sum = 0;
-    for (int u : neighbors_[v])
-      sum += (points_[u] - points_[v]).norm();
-    return neighbors_[v].size() ? sum / double(neighbors_[v].size()) : 0;
+    for (int e : leaving_[v])
+      sum += length(e);
+    return leaving_[v].size() ? sum / double(leaving_[v].size()) : 0;
   }
 
   // Farther than its own edges a vertex does not represent a corner.
@@ -248,59 +256,78 @@ private:
     return path;
   }
 
-  // Dijkstra over boundary edges; leaving the curve by an edge's length makes it longer.
+  // Dijkstra's algorithm from edge to edge of the boundary: what one costs depends on the one before.
   std::vector<int> follow(const Feature_curve& curve, int from, int to)
   {
-    using Entry = std::pair<double, int>;
+    using Entry = std::pair<double, int>; // cost, directed edge
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<int> reached = {from};
-    cost_[from] = 0;
-    queue.emplace(0.0, from);
-    while (!queue.empty() && queue.top().second != to) {
-      const Entry top = queue.top();
-      queue.pop();
-      const int v = top.second;
-      if (top.first > cost_[v])
-        continue;
-      for (int u : neighbors_[v]) {
-        if (attachment.kind[u] != Vertex_kind::SURFACE && u != to)
+    std::vector<int> reached;
+    const auto go_on = [&](int before, double cost) {
+      for (int e : leaving_[before < 0 ? from : head(before)]) {
+        const int u = head(e);
+        if (e == (before ^ 1) || (attachment.kind[u] != Vertex_kind::SURFACE && u != to) || length(e) == 0)
           continue;
-        const double h = (points_[u] - points_[v]).norm();
-        if (h == 0)
-          continue;
-        const double off =
-          (curve.closest_point((points_[u] + points_[v]) / 2).point - (points_[u] + points_[v]) / 2).norm() / h;
+        const Curve_point q = curve.closest_point(middle(e));
+        const double off = (q.point - middle(e)).norm() / length(e);
         if (off > farthest)
           continue;
         const double disputed = u == to ? 0 : sharing_ * users_[u] + cost_of_dispute * disputes_[u];
-        const double next = top.first + h * (1 + cost_of_leaving * off * off + disputed);
-        if (next < cost_[u]) {
-          reached.push_back(u);
-          cost_[u] = next;
-          previous_[u] = v;
-          queue.emplace(next, u);
+        const double flat = before >= 0 && is_turn(before, e)
+                              ? std::abs(curve.closest_point(middle(before)).tangent.dot(q.tangent))
+                              : 0;
+        const double next = cost +
+                            length(e) * (1 + cost_of_leaving * off * off + disputed + cost_of_flat_corner * flat);
+        if (next < cost_[e]) {
+          reached.push_back(e);
+          cost_[e] = next;
+          previous_[e] = before;
+          queue.emplace(next, e);
         }
       }
+    };
+    go_on(-1, 0);
+    while (!queue.empty() && head(queue.top().second) != to) {
+      const auto [cost, e] = queue.top();
+      queue.pop();
+      if (!(cost > cost_[e]))
+        go_on(e, cost);
     }
     std::vector<int> path;
-    if (std::isfinite(cost_[to]))
-      for (int v = to; v != -1; v = previous_[v])
-        path.push_back(v);
+    if (!queue.empty()) {
+      for (int e = queue.top().second; e != -1; e = previous_[e])
+        path.push_back(head(e));
+      path.push_back(from);
+    }
     std::reverse(path.begin(), path.end());
-    for (int v : reached) {
-      cost_[v] = std::numeric_limits<double>::infinity();
-      previous_[v] = -1;
+    for (int e : reached) {
+      cost_[e] = std::numeric_limits<double>::infinity();
+      previous_[e] = -1;
     }
     return path;
+  }
+
+  int head(int directed) const { return complex_.edges[directed / 2][1 - directed % 2]; }
+
+  double length(int directed) const { return (points_[head(directed)] - points_[head(directed ^ 1)]).norm(); }
+
+  Vector_3 middle(int directed) const { return (points_[head(directed)] + points_[head(directed ^ 1)]) / 2; }
+
+  // The ways round a corner of a face, in both directions the same.
+  static std::pair<int, int> turn(int directed, int next) { return std::minmax(directed / 2, next / 2); }
+
+  bool is_turn(int directed, int next) const
+  {
+    return std::binary_search(turns_.begin(), turns_.end(), turn(directed, next));
   }
 
   const Hexahedral_complex& complex_;
   const Positions& points_;
   const Reference_surface& surface_;
-  Grouped_array neighbors_;
-  std::vector<int> users_, disputes_; // of each vertex: paths, and rounds in which there were several
+  Grouped_array leaving_;                  // directed edges of the boundary, by the vertex that they leave
+  std::vector<std::pair<int, int>> turns_; // pairs of edges with a corner of a face between them
+  std::vector<int> users_, disputes_;      // of each vertex: paths, and rounds in which there were several
   double sharing_ = cost_of_sharing;
-  std::vector<double> cost_; // of the way to each vertex; infinite between searches
+  std::vector<double> cost_; // of the way up to each directed edge, and along it; infinite between searches
   std::vector<int> previous_;
 };
 

@@ -78,7 +78,7 @@ public:
     for (std::size_t v = 0; v < points.size(); ++v)
       if (kind_[v] != Kind::FREE && kind_[v] != Kind::FIXED)
         held_.push_back(static_cast<int>(v));
-    notice_arrivals(points, true);
+    notice_arrivals(points);
   }
 
   // Whether it holds vertices on curves or faces too.
@@ -130,20 +130,7 @@ public:
     for (int v : held_)
       if (!is_there_[v])
         release_from_feature(v);
-    notice_arrivals(points, true);
-  }
-
-  // Lets go of features what stands in the way of others that are to come to the surface: for_those_in_the_way(v, place,
-  // release) calls release(vertex) for them.
-  template <class For_those>
-  void make_way_to_surface(const Positions& points, const For_those& for_those_in_the_way)
-  {
-    std::vector<int> to_surface; // and not what is sent there now
-    std::copy_if(held_.begin(), held_.end(), std::back_inserter(to_surface),
-                 [this](int v) { return !is_there_[v] && kind_[v] == Kind::SURFACE; });
-    for (int v : to_surface)
-      for_those_in_the_way(v, place(v, points[v]), [this](int u) { release_from_feature(u); });
-    notice_arrivals(points, true);
+    notice_arrivals(points);
   }
 
   // Lets go altogether what has not come.
@@ -158,36 +145,25 @@ public:
     held_.erase(away, held_.end());
   }
 
-  // Calls again what was let go: to its feature if can_stand(vertex, place) there, or else to the surface. Tells whether it
-  // has called any.
-  template <class Can_stand>
-  bool recall_released(const Positions& points, const Can_stand& can_stand)
+  // Calls again what was let go, to where it was to stand.
+  void recall_released(const Positions& points)
   {
-    bool is_some = false;
-    std::vector<Release> still_released;
     for (const Release& r : released_) {
-      const int v = r.vertex;
-      const Kind now = kind_[v];
-      const auto is_called_to = [&](Kind kind) {
-        kind_[v] = kind;
-        const bool can = kind < now && can_stand(v, place(v, points[v]));
-        if (!can)
-          kind_[v] = now;
-        return can;
-      };
-      const bool is_to_feature = is_called_to(r.kind);
-      if (!is_to_feature)
-        still_released.push_back(r);
-      if (is_to_feature || is_called_to(Kind::SURFACE)) {
-        is_some = true;
-        is_there_[v] = false;
-        if (now == Kind::FREE)
-          held_.push_back(v);
-      }
+      if (kind_[r.vertex] == Kind::FREE)
+        held_.push_back(r.vertex);
+      kind_[r.vertex] = r.kind;
+      is_there_[r.vertex] = false;
     }
-    released_ = std::move(still_released);
-    notice_arrivals(points, true);
-    return is_some;
+    released_.clear();
+    notice_arrivals(points);
+  }
+
+  // Looks anew who stands on its place: to be called with points that are not those of the last call moved on.
+  void notice(const Positions& points)
+  {
+    for (int v : held_)
+      is_there_[v] = false;
+    notice_arrivals(points);
   }
 
   // Whether a vertex does not move at all.
@@ -271,7 +247,7 @@ public:
   }
 
   // Lets each of those that are called go the way to its place, the nearest first: go(vertices, way), of those that move
-  // together, moves them along the way as far as they can get, and tells whether that is all of it.
+  // together, moves them along the way, or to another place that place_near() allows, and tells whether they have come.
   template <class Go>
   void approach(Positions& points, const Go& go)
   {
@@ -283,14 +259,23 @@ public:
         order.emplace_back((place(v, points[v]) - points[v]).squaredNorm(), v);
     std::sort(order.begin(), order.end());
     for (const auto& [distance, v] : order) {
-      const Vector_3 target = place(v, points[v]);
-      const auto group = std::find_if(tied_.begin(), tied_.end(), [v](const std::vector<int>& g) { return g[0] == v; });
-      if (go(group == tied_.end() ? std::vector<int>{v} : *group, Vector_3(target - points[v]))) {
-        points[v] = target;
-        is_there_[v] = true;
-      }
+      const Vector_3 way = place(v, points[v]) - points[v];
+      is_there_[v] = true; // so that place_near() keeps it there
+      is_there_[v] = go(vertices_with(v), way);
+      if (is_there_[v])
+        points[v] = place(v, points[v]);
     }
   }
+
+  // The vertices that move where v goes, v the first of them; none if it stays, or goes with another.
+  std::vector<int> movable_with(int v) const
+  {
+    const bool stays = kind_[v] == Kind::FIXED || (kind_[v] == Kind::CORNER && is_there_[v]);
+    return stays || goes_with_[v] != v ? std::vector<int>() : vertices_with(v);
+  }
+
+  // Where v may stand, nearest to p: on its curve or face if it has come there.
+  Vector_3 place_near(int v, const Vector_3& p) const { return is_there_[v] ? place(v, p) : p; }
 
 private:
   enum class Kind : char { FIXED, CORNER, CURVE, SURFACE, FREE }; // the less freedom, the lower
@@ -320,12 +305,18 @@ private:
     }
   }
 
+  std::vector<int> vertices_with(int v) const
+  {
+    const auto group = std::find_if(tied_.begin(), tied_.end(), [v](const std::vector<int>& g) { return g[0] == v; });
+    return group == tied_.end() ? std::vector<int>{v} : *group;
+  }
+
   bool is_bound(std::size_t v) const { return are_all_called_ || is_there_[v]; }
 
-  void notice_arrivals(const Positions& points, bool counts)
+  void notice_arrivals(const Positions& points)
   {
     for (int v : held_)
-      if (counts && !is_there_[v])
+      if (!is_there_[v])
         is_there_[v] = (place(v, points[v]) - points[v]).norm() <= arrival;
   }
 

@@ -11,12 +11,14 @@
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_ARRIVALS_H
 
 // How what is to stand exactly on corners, curves and faces comes to its place: as
-// far as the hexahedra around it allow, which yield little by little, and what
-// they cannot hold is let go, the features before the surface.
+// far as the hexahedra around it allow, which yield little by little. For what
+// has not come then, places are searched for, with all around it; and what they
+// cannot hold is let go, the features before the surface.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Hexahedron_batches.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Pattern_search.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
@@ -36,15 +38,14 @@ struct Arrival_parameters
   // does not fall to this part.
   double yielding = .97;
   double progress = .95;
-  // When so much of the minimum at the first call is left, features are let go of by what has not come to them; then by
-  // what stands in the way of others that are to come to the surface; and the surface by what has not come to it.
-  double part_for_features = .2;
-  double part_for_way = .1;
-  double part_for_surface = .05;
-  // In any case when no more than this is left: what is nearly inverted climbs slowly, if at all.
+  // When so much of the minimum at the first call is left, places are searched for by what has not come: so that no corner
+  // around is below the level, or if that is more, below what is to be sought, or else a part of that, and of that, and
+  // none below the least.
+  double part_for_search = .5;
+  double sought = .2;
+  double part_of_sought = .4;
   double least_minimum = .02;
-  // What was let go is called again after all others have settled, until all are there, or none could stand at its place,
-  // or so many calls were made.
+  // What was let go is called again after all others have settled, until none comes, or so many calls were made.
   std::size_t most_calls = 4;
   // What is left to a hexahedron of its own minimum in each iteration: the others have to follow.
   double least_part_of_hexahedron = .85;
@@ -54,6 +55,11 @@ struct Arrival_parameters
   double least_part_of_edge = .97;
   // How often a way is halved.
   int halvings = 6;
+
+  // A minimum that is not to be raised at the end.
+  double raised = .6;
+
+  Pattern_search_parameters search;
 };
 
 class Arrivals
@@ -66,6 +72,7 @@ public:
     , lengths_(lengths)
     , sliding_(sliding)
     , parameters_(parameters)
+    , search_(complex, lengths, sliding, parameters.search)
   {}
 
   // Whether any were called with call().
@@ -73,22 +80,21 @@ public:
   // What the hexahedra keep while there are some on their way; else 0.
   double level() const { return level_; }
 
-  // Calls all, or, once all were, again what was let go and could stand at its place. Whether there is any. minimum: of the
-  // mesh.
+  // Calls all, or, once all were, again what was let go. Whether there is any: of the latter, any that has come. minimum: of
+  // the mesh.
   bool call(Positions& points, double minimum)
   {
     if (calls_ == parameters_.most_calls)
       return false;
-    if (calls_ > 0 && !sliding_.recall_released(points, [&](int v, const Vector_3& place) {
-          return hexahedra_below(points, v, place).empty();
-        }))
-      return false;
-    sliding_.call_all();
     level_ = minimum;
-    if (calls_++ == 0)
-      first_level_ = minimum;
     least_away_ = std::numeric_limits<double>::infinity();
-    return true;
+    if (calls_++ == 0) {
+      first_level_ = minimum;
+      sliding_.call_all();
+      return true;
+    }
+    sliding_.recall_released(points);
+    return sliding_.are_some_away() && find_places(points);
   }
 
   // Before each iteration after a call: whether some are still on their way, once the hexahedra have yielded.
@@ -98,16 +104,8 @@ public:
     if (away > parameters_.progress * least_away_)
       level_ *= parameters_.yielding;
     least_away_ = (std::min)(least_away_, away);
-    if (is_left(parameters_.part_for_features))
-      sliding_.release_from_features(points);
-    if (is_left(parameters_.part_for_way))
-      sliding_.make_way_to_surface(points, [&](int v, const Vector_3& place, const auto& release) {
-        for (int h : hexahedra_below(points, v, place))
-          for (int u : complex_.hexahedra[h])
-            release(u);
-      });
-    if (is_left(parameters_.part_for_surface))
-      sliding_.release_those_away();
+    if (level_ < (std::max)(parameters_.least_minimum, parameters_.part_for_search * first_level_))
+      find_places(points);
     if (sliding_.are_some_away())
       return true;
     level_ = 0;
@@ -145,6 +143,9 @@ public:
     });
   }
 
+  // Raises the worst of what stands exactly: it climbs over the edges of faces, where Newton's method stops.
+  void raise(Positions& points) { search_.raise(parameters_.raised, points); }
+
 private:
   // Of a hexahedron, before it is moved.
   struct Before
@@ -156,21 +157,25 @@ private:
 
   static constexpr double rounding = 1e-6; // what is kept is in single precision
 
-  bool is_left(double part) const { return level_ < (std::max)(parameters_.least_minimum, part * first_level_); }
-
-  // Those that would be nearly inverted with a vertex at a place.
-  std::vector<int> hexahedra_below(const Positions& points, int v, const Vector_3& place) const
+  // For all that have not come: on their features, or else on the surface; the others are let go. Whether any has come.
+  bool find_places(Positions& points)
   {
-    std::vector<int> result;
-    for (int h : complex_.vertex_hexahedra[v]) {
-      Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
-      for (int c = 0; c < 8; ++c)
-        if (complex_.hexahedra[h][c] == v)
-          x[c] = {{place.x(), place.y(), place.z()}};
-      if (scaled_jacobian(x) < parameters_.least_minimum)
-        result.push_back(h);
-    }
-    return result;
+    bool any = false;
+    const auto search = [&] {
+      sliding_.approach(points, [&](const std::vector<int>& vertices, const Vector_3& way) {
+        bool has_come = false;
+        for (double level = (std::max)(level_, parameters_.sought); !has_come && level > parameters_.least_minimum;
+             level *= parameters_.part_of_sought)
+          has_come = search_.bring(vertices, way, level, parameters_.least_minimum, points);
+        any = any || has_come;
+        return has_come;
+      });
+    };
+    search();
+    sliding_.release_from_features(points);
+    search();
+    sliding_.release_those_away();
+    return any;
   }
 
   static void move(const std::vector<int>& vertices, const Vector_3& step, Positions& points)
@@ -219,6 +224,7 @@ private:
   const std::vector<double>& lengths_;
   Sliding& sliding_;
   const Arrival_parameters parameters_;
+  Pattern_search search_;
   std::size_t calls_ = 0;
   double level_ = 0, first_level_ = 0, least_away_ = 0; // the last: a number of vertices
 };

@@ -47,6 +47,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -107,19 +108,21 @@ public:
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     const bool is_to_arrive = sliding_.holds_more_than_corners();
     Phase phase = Phase::CLIMBING;
-    bool has_relaxed = false, recovers = false, used_up = false; // the iterations of a phase
-    std::size_t begun = 0, waited = 0, settled = 0;              // begun: the iteration in which climbing has
-    std::size_t stalled = 0, unrefined = 0;                      // iterations
+    bool has_relaxed = false, recovers = false, has_raised = false, used_up = false; // the iterations of a phase
+    std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
+    std::size_t stalled = 0, unrefined = 0;         // iterations
     std::size_t refinements = 0, last_refinements = 0;
-    boundary_.tightness = parameters_.start_tightness;
+    const auto climb_from = [&](std::size_t i) {
+      phase = Phase::CLIMBING;
+      boundary_.tightness = parameters_.start_tightness;
+      begun = i;
+      climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
+    };
+    climb_from(0);
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
-        if (!arrivals_.go_on(points)) {
-          phase = Phase::CLIMBING;
-          boundary_.tightness = parameters_.start_tightness;
-          begun = i;
-          climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
-        }
+        if (!arrivals_.go_on(points))
+          climb_from(i);
         floor_.restart();
       }
       else if (phase == Phase::CLIMBING) {
@@ -180,9 +183,15 @@ public:
           step);
       };
       const auto freedoms = [&](const Positions& forces) { return sliding_.freedoms(points, forces); };
+      const Positions start = arrivals_.have_begun() ? points : Positions();
+      const std::size_t invalid = quality.invalid;
       const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), freedoms, restrict_step, retract,
                                         parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
+      if (arrivals_.have_begun() && quality.invalid > invalid) {
+        take_back(start, points);
+        quality = Mesh_quality(complex_, points);
+      }
       samples_.update(points, boundary_.tightness);
       excess = samples_.excess(points);
       const bool is_outside = (samples_.is_bounded() && excess > 0) || sliding_.are_some_away();
@@ -238,12 +247,29 @@ public:
       if (!(best.excess() > 0) && last_refinements < parameters_.most_last_refinements) {
         ++last_refinements;
         points = best.points();
+        sliding_.notice(points);
         if (refine(points, best)) {
           quality = Mesh_quality(complex_, points);
           settled = 0;
           settling = Progress(quality, parameters_.least_gain_of_minimum, parameters_.least_change_of_average);
           least_excess = std::numeric_limits<double>::infinity();
           recovers = false;
+          continue;
+        }
+      }
+      if (arrivals_.have_begun() && !is_target_reached() && !std::exchange(has_raised, true)) {
+        // Newton's method goes on from where the search has led
+        points = best.points();
+        sliding_.notice(points);
+        const double minimum = Mesh_quality(complex_, points).minimum;
+        raise(points);
+        quality = Mesh_quality(complex_, points);
+        if (quality.minimum > minimum + parameters_.gain_of_raising) {
+          samples_.update(points, 1);
+          excess = samples_.excess(points);
+          best.offer(points, quality, excess, looseness(settled), sliding_.away(points));
+          floor_.restart();
+          climb_from(i);
           continue;
         }
       }
@@ -255,6 +281,8 @@ public:
       phase = Phase::ARRIVING;
     }
     points = best.points();
+    if (arrivals_.have_begun() && !control.is_stopped())
+      raise(points);
     return control.stage_end(used_up);
   }
 
@@ -312,6 +340,39 @@ private:
       if (!is_ruined[h] && !is_valid(reached, h) && is_valid(points, h))
         is_ruined[h] = true;
     });
+  }
+
+  // Vertices of hexahedra that a step has made invalid go back to its start: a part of a step can do so where all of it
+  // does not.
+  void take_back(const Positions& start, Positions& points) const
+  {
+    std::vector<char> is_ruined(complex_.hexahedra.size()), goes_back(points.size(), false);
+    const auto find = [&] {
+      std::fill(is_ruined.begin(), is_ruined.end(), false);
+      find_invalidated(start, points, is_ruined);
+      return std::count(is_ruined.begin(), is_ruined.end(), true) > 0;
+    };
+    while (find()) {
+      for (std::size_t h = 0; h < is_ruined.size(); ++h)
+        for (int v : complex_.hexahedra[h])
+          goes_back[v] = goes_back[v] || is_ruined[h];
+      complex_.ties.unite(goes_back);
+      for (std::size_t v = 0; v < points.size(); ++v)
+        if (goes_back[v])
+          points[v] = start[v];
+    }
+  }
+
+  // The worst, unless faces leave a bound by that.
+  void raise(Positions& points)
+  {
+    samples_.update(points, 1);
+    const double excess = samples_.excess(points);
+    Positions raised = points;
+    arrivals_.raise(raised);
+    samples_.update(raised, 1);
+    if (!(samples_.excess(raised) > excess))
+      points = std::move(raised);
   }
 
   // What no corner of each hexahedron may drop below in the next step. part: of its own.

@@ -46,18 +46,25 @@ inline double scaled_determinant(const Coordinates<double>& a, const Coordinates
   return d > -1 ? (std::min)(d, 1.) : -1.;
 }
 
-inline double scaled_jacobian(const Hexahedron_coordinates& x)
+// In the order of i + 2 j + 4 k, with the sides that a corner is on along the three axes.
+inline std::array<double, 8> scaled_jacobians_of_corners(const Hexahedron_coordinates& x)
 {
   Edge_vectors<double> edges(x);
   for (auto* direction : {&edges.u, &edges.v, &edges.w})
     for (Coordinates<double>& e : *direction)
       e = normalized(e);
-  double result = 1;
+  std::array<double, 8> result;
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 2; ++i)
-        result = (std::min)(result, scaled_determinant(edges.u[j + 2 * k], edges.v[i + 2 * k], edges.w[i + 2 * j]));
+        result[i + 2 * j + 4 * k] = scaled_determinant(edges.u[j + 2 * k], edges.v[i + 2 * k], edges.w[i + 2 * j]);
   return result;
+}
+
+inline double scaled_jacobian(const Hexahedron_coordinates& x)
+{
+  const std::array<double, 8> of_corners = scaled_jacobians_of_corners(x);
+  return *std::min_element(of_corners.begin(), of_corners.end());
 }
 
 // The scaled determinant of the principal axes: the Jacobian at the center.
