@@ -202,10 +202,7 @@ void expect_on_surface(const Indexed_mesh& intact)
   }
 }
 
-TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it)
-{
-  expect_on_surface(GetParam()());
-}
+TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it) { expect_on_surface(GetParam()()); }
 
 TEST_P(Boundary_guarantees, vertices_on_the_surface_are_on_it_where_that_costs_quality)
 {

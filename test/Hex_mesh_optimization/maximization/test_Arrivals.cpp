@@ -29,6 +29,7 @@ struct Arriving
   Attached_mesh& mesh;
   Sliding sliding;
   Arrivals arrivals;
+  bool is_over = false;
 
   explicit Arriving(Attached_mesh& s, const Arrival_parameters& parameters = Arrival_parameters())
     : mesh(s)
@@ -37,8 +38,14 @@ struct Arriving
   {}
 
   double minimum() const { return Mesh_quality(mesh.complex, mesh.points).minimum; }
-  bool call() { return arrivals.call(mesh.points, minimum()); }
-  bool go_on() { return arrivals.go_on(mesh.points); }
+  bool call()
+  {
+    return arrivals.call(mesh.points, minimum(), [this] { return is_over; });
+  }
+  bool go_on()
+  {
+    return arrivals.go_on(mesh.points, [this] { return is_over; });
+  }
 
   void approach()
   {
@@ -142,6 +149,17 @@ TEST(Arrivals, find_a_place_by_others_making_room)
   EXPECT_EQ(quality.invalid, 0u);
   EXPECT_GE(quality.minimum, Arrival_parameters().least_minimum - 1e-6);
   EXPECT_EQ(a.sliding.away(c.mesh.points).in_all, 0u);
+}
+
+TEST(Arrivals, search_no_longer_when_time_is_over)
+{
+  Corner_inside c(.9);
+  Arriving a(c.mesh);
+  a.is_over = true;
+  ASSERT_TRUE(a.call());
+  EXPECT_LT(a.come(), 1000);
+  EXPECT_EQ(a.sliding.vertices_away(), std::vector<int>{c.vertex});
+  EXPECT_EQ(Mesh_quality(c.mesh.complex, c.mesh.points).invalid, 0u);
 }
 
 TEST(Arrivals, are_called_again_as_often_as_is_said)

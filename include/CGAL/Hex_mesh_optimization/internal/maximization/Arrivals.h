@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -81,8 +82,8 @@ public:
   double level() const { return level_; }
 
   // Calls all, or, once all were, again what was let go. Whether there is any: of the latter, any that has come. minimum: of
-  // the mesh.
-  bool call(Positions& points, double minimum)
+  // the mesh. is_over: tells when to stop, as searches take their time.
+  bool call(Positions& points, double minimum, const std::function<bool()>& is_over)
   {
     if (calls_ == parameters_.most_calls)
       return false;
@@ -94,18 +95,18 @@ public:
       return true;
     }
     sliding_.recall_released(points);
-    return sliding_.are_some_away() && find_places(points);
+    return sliding_.are_some_away() && find_places(points, is_over);
   }
 
   // Before each iteration after a call: whether some are still on their way, once the hexahedra have yielded.
-  bool go_on(Positions& points)
+  bool go_on(Positions& points, const std::function<bool()>& is_over)
   {
     const double away = static_cast<double>(sliding_.vertices_away().size());
     if (away > parameters_.progress * least_away_)
       level_ *= parameters_.yielding;
     least_away_ = (std::min)(least_away_, away);
     if (level_ < (std::max)(parameters_.least_minimum, parameters_.part_for_search * first_level_))
-      find_places(points);
+      find_places(points, is_over);
     if (sliding_.are_some_away())
       return true;
     level_ = 0;
@@ -158,14 +159,14 @@ private:
   static constexpr double rounding = 1e-6; // what is kept is in single precision
 
   // For all that have not come: on their features, or else on the surface; the others are let go. Whether any has come.
-  bool find_places(Positions& points)
+  bool find_places(Positions& points, const std::function<bool()>& is_over)
   {
     bool any = false;
     const auto search = [&] {
       sliding_.approach(points, [&](const std::vector<int>& vertices, const Vector_3& way) {
         bool has_come = false;
-        for (double level = (std::max)(level_, parameters_.sought); !has_come && level > parameters_.least_minimum;
-             level *= parameters_.part_of_sought)
+        for (double level = (std::max)(level_, parameters_.sought);
+             !has_come && level > parameters_.least_minimum && !is_over(); level *= parameters_.part_of_sought)
           has_come = search_.bring(vertices, way, level, parameters_.least_minimum, points);
         any = any || has_come;
         return has_come;
