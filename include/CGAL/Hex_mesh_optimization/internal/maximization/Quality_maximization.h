@@ -118,11 +118,11 @@ public:
       begun = i;
       climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
     };
-    const auto is_over = [&control] { return control.time_is_over(); };
+    const auto time_is_over = [&control] { return control.time_is_over(); };
     climb_from(0);
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       if (phase == Phase::ARRIVING) {
-        if (!arrivals_.go_on(points, is_over))
+        if (!arrivals_.go_on(points, time_is_over))
           climb_from(i);
         floor_.restart();
       }
@@ -275,7 +275,7 @@ public:
         }
       }
       // what was let go may come after all, once those around it have given way
-      if (!is_to_arrive || !arrivals_.call(points, quality.minimum, is_over)) {
+      if (!is_to_arrive || !arrivals_.call(points, quality.minimum, time_is_over)) {
         used_up = used_up || (is_over && !is_settled);
         break;
       }
