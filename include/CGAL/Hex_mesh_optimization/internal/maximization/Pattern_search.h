@@ -42,7 +42,8 @@ struct Pattern_search_parameters
   double gain_of_round = .01;
   int most_rounds = 40;
   // Edges lack what they are shorter than these parts of their target lengths, while vertices are brought to a place,
-  // and while the worst are raised: scaled Jacobians are blind to them.
+  // and while the worst are raised: scaled Jacobians are blind to them (measured on a CAD part: .1 in the latter raises
+  // the 99th percentile of edge ratios from 14 to 32).
   double least_edge = .1;
   double least_edge_of_raised = .3;
   // What a hexahedron with good corners lacks that is not valid.
@@ -105,8 +106,8 @@ public:
 
 private:
   enum class Order {
-    LARGE_STEPS_FIRST, // to get away from where it stands
-    SMALL_STEPS_FIRST  // to stay where all else is good
+    LARGE_STEPS_FIRST, // to get away from where it stands: with small ones first, more are not brought to their places
+    SMALL_STEPS_FIRST  // to stay where all else is good: with large ones first, averages fall three times as far
   };
 
   struct Before
