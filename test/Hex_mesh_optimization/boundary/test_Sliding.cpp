@@ -201,12 +201,14 @@ TEST_P(Sliding_of_families, releases_what_is_away_from_features_before_the_surfa
   const Freedoms freedoms = freedoms_without_force(sliding, s.points);
   for (int v : called)
     EXPECT_EQ(freedoms[v].dimension() == 3, v == last) << v;
+  EXPECT_TRUE(sliding.movable_with(last).empty()) << "nothing would keep it near";
   approach_all_but(none, sliding, s.points);
   EXPECT_EQ(sliding.away(s.points).off_surface, 1u) << "it is not called";
 
   sliding.recall_released(s.points);
   EXPECT_TRUE(sliding.are_some_away());
   EXPECT_EQ(sliding.vertices_away(), std::vector<int>{last});
+  EXPECT_EQ(sliding.movable_with(last), std::vector<int>{last});
   sliding.approach(s.points, [&](const std::vector<int>& vertices, const Vector_3& way) {
     EXPECT_EQ(vertices[0], last);
     EXPECT_NEAR(way.norm(), distance(s, last, s.points[last]), 1e-12) << "to its feature, if it has one";

@@ -23,6 +23,13 @@ namespace {
 using namespace CGAL::Hex_mesh_optimization::internal;
 using CGAL::Hex_mesh_optimization::Boundary_placement;
 
+Indexed_mesh single_cube()
+{
+  Indexed_mesh mesh;
+  CGAL::Hex_mesh_optimization::make_block(mesh.points, mesh.hexahedra, {{1, 1, 1}}, {{1, 1, 1}});
+  return mesh;
+}
+
 class Pattern_search_of_families : public ::testing::TestWithParam<Mesh_family>
 {};
 
@@ -85,6 +92,28 @@ TEST_P(Pattern_search_of_families, brings_a_vertex_or_undoes_all)
   }
   EXPECT_GT(brought, 0u);
   EXPECT_GT(undone, 0u);
+}
+
+// Cubes whose vertices were moved until all corners are right and the inside is not
+TEST(Pattern_search, makes_valid_what_is_not_although_its_corners_are_good)
+{
+  std::mt19937 random(23);
+  int found = 0;
+  for (int trial = 0; trial < 20000 && found < 20; ++trial) {
+    Attached_mesh s(single_cube());
+    std::fill(s.attachment.kind.begin(), s.attachment.kind.end(), Vertex_kind::INTERIOR);
+    const Sliding sliding = s.sliding();
+    s.scramble(random, .6, true);
+    const Mesh_quality before(s.complex, s.points);
+    if (!(before.minimum > .02 && before.invalid == 1))
+      continue;
+    ++found;
+    Pattern_search(s.complex, s.lengths, sliding).raise(.4, s.points);
+    const Mesh_quality after(s.complex, s.points);
+    EXPECT_EQ(after.invalid, 0u) << trial;
+    EXPECT_GT(after.minimum, before.minimum) << trial;
+  }
+  EXPECT_EQ(found, 20);
 }
 
 } // namespace

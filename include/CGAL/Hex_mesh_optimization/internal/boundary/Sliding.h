@@ -267,10 +267,11 @@ public:
     }
   }
 
-  // The vertices that move where v goes, v the first of them; none if it stays, or goes with another.
+  // The vertices that move where v goes, v the first of them; none if it stays, or goes with another. What was let go
+  // altogether stays: nothing would keep it near its place.
   std::vector<int> movable_with(int v) const
   {
-    const bool stays = kind_[v] == Kind::FIXED || (kind_[v] == Kind::CORNER && is_there_[v]);
+    const bool stays = kind_[v] == Kind::FIXED || (kind_[v] == Kind::CORNER && is_there_[v]) || has_left(v);
     return stays || goes_with_[v] != v ? std::vector<int>() : vertices_with(v);
   }
 
@@ -309,6 +310,12 @@ private:
   {
     const auto group = std::find_if(tied_.begin(), tied_.end(), [v](const std::vector<int>& g) { return g[0] == v; });
     return group == tied_.end() ? std::vector<int>{v} : *group;
+  }
+
+  bool has_left(int v) const
+  {
+    return kind_[v] == Kind::FREE &&
+           std::any_of(released_.begin(), released_.end(), [v](const Release& r) { return r.vertex == v; });
   }
 
   bool is_bound(std::size_t v) const { return are_all_called_ || is_there_[v]; }
