@@ -61,6 +61,11 @@ struct Pattern_search_parameters
   // While they are below this minimum, with large steps too where small ones do not help. What is better would pay for it
   // with all around (measured on a block: a minimum of .50 instead of .46, edge ratios of 19 instead of 6).
   double raised_by_large_steps = .2;
+  // Where more than this part and this number of hexahedra are below a level, they are left in peace: to raise all of those
+  // costs the average and takes as long as all before (measured on voxels of a ball, all of them on it, a fifth of them
+  // poor: .042 and .60 instead of .010 and .62, in 275 s instead of 149 s).
+  double most_raised_part = .04;
+  std::size_t most_raised = 100;
 };
 
 class Pattern_search
@@ -102,6 +107,9 @@ public:
       for (std::size_t h = 0; h < scaled_jacobians.size(); ++h)
         if (scaled_jacobians[h] < level)
           touch(static_cast<int>(h), points);
+      if (before_.size() > parameters_.most_raised &&
+          double(before_.size()) > parameters_.most_raised_part * double(scaled_jacobians.size()))
+        return;
       search(level, points);
       const double least = minimum + parameters_.part_of_level * (level - minimum);
       const bool has_risen = keep(minimum, points) && minimum_at(points) >= least;
@@ -179,11 +187,12 @@ private:
     return is_good;
   }
 
-  // One round after the other, of all vertices of hexahedra that were touched and lack something, and then of the ends of
-  // their edges.
+  // One round after the other, of all vertices of hexahedra that were touched and lack something, or where that has helped no
+  // more, of the ends of their edges.
   void search(double level, Positions& points)
   {
     double last = std::numeric_limits<double>::infinity();
+    bool by_edges = false;
     for (int round = 0; round < parameters_.most_rounds; ++round) {
       std::vector<int> vertices, edges;
       double sum = 0;
@@ -196,15 +205,19 @@ private:
             edges.push_back(directed / 2);
         }
       }
-      if (vertices.empty() || sum > (1 - parameters_.gain_of_round) * last)
+      const bool has_gained = sum <= (1 - parameters_.gain_of_round) * last;
+      if (vertices.empty() || (by_edges && !has_gained))
         return;
+      by_edges = !has_gained;
       last = sum;
       const std::vector<Vector_3> directions = directions_of_round(round);
-      for (int v : sorted_once(std::move(vertices)))
-        place({sliding_.movable_with(v)}, directions, level, points);
-      for (int e : sorted_once(std::move(edges)))
-        place({sliding_.movable_with(complex_.edges[e][0]), sliding_.movable_with(complex_.edges[e][1])}, directions,
-              level, points);
+      if (by_edges)
+        for (int e : sorted_once(std::move(edges)))
+          place({sliding_.movable_with(complex_.edges[e][0]), sliding_.movable_with(complex_.edges[e][1])}, directions,
+                level, points);
+      else
+        for (int v : sorted_once(std::move(vertices)))
+          place({sliding_.movable_with(v)}, directions, level, points);
     }
   }
 
