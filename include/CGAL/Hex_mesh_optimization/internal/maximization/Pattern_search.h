@@ -11,14 +11,14 @@
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_PATTERN_SEARCH_H
 
 // The vertices of poor hexahedra try places around them, one vertex after the
-// other and then two at the ends of an edge together (a pattern search: R. Hooke,
-// T. A. Jeeves, "Direct search" solution of numerical and statistical problems,
-// 1961, along directions that are others in each round, as in C. Audet, J. E.
-// Dennis Jr., Mesh adaptive direct search algorithms for constrained optimization,
-// 2006). It takes longer than Newton's method and finds what no derivative leads
-// to: on a surface of triangles, a hexahedron with two faces in one flat part of
-// it is inverted or flat wherever its vertices go in this part, and sound where
-// they stand on edges of the reference.
+// other, or where that helps no more, the two ends of an edge together (a pattern
+// search: R. Hooke, T. A. Jeeves, "Direct search" solution of numerical and
+// statistical problems, 1961, along directions that are others in each round, as
+// in C. Audet, J. E. Dennis Jr., Mesh adaptive direct search algorithms for
+// constrained optimization, 2006). It takes longer than Newton's method and finds
+// what no derivative leads to: on a surface of triangles, a hexahedron with two
+// faces in one flat part of it is inverted or flat wherever its vertices go in
+// this part, and sound where they stand on edges of the reference.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
@@ -228,7 +228,8 @@ private:
     return std::move(indices);
   }
 
-  // To the neighbors of a cell in a grid that is turned by angles without a common period, so that no direction is left out.
+  // To the neighbors of a cell in a grid that is turned in each round. The angles are arbitrary: any that do not come back
+  // within the rounds would do.
   static std::vector<Vector_3> directions_of_round(int round)
   {
     const double about_z = 2.4 * round, about_x = 1.1 * round;
