@@ -97,8 +97,8 @@ public:
   void raise(double limit, Positions& points)
   {
     Order order = Order::SMALL_STEPS_FIRST;
+    std::vector<double> scaled_jacobians = scaled_jacobians_at(points);
     for (;;) {
-      const std::vector<double> scaled_jacobians = scaled_jacobians_at(points);
       const double minimum = *std::min_element(scaled_jacobians.begin(), scaled_jacobians.end());
       const double level = (std::min)(limit, minimum + parameters_.step_of_level);
       if (!(level > minimum))
@@ -111,8 +111,10 @@ public:
           double(before_.size()) > parameters_.most_raised_part * double(scaled_jacobians.size()))
         return;
       search(level, points);
-      const double least = minimum + parameters_.part_of_level * (level - minimum);
-      const bool has_risen = keep(minimum, points) && minimum_at(points) >= least;
+      if (keep(minimum, points))
+        scaled_jacobians = scaled_jacobians_at(points);
+      const bool has_risen = *std::min_element(scaled_jacobians.begin(), scaled_jacobians.end()) >=
+                             minimum + parameters_.part_of_level * (level - minimum);
       if (!has_risen && (order == Order::LARGE_STEPS_FIRST || minimum > parameters_.raised_by_large_steps))
         return;
       order = has_risen ? Order::SMALL_STEPS_FIRST : Order::LARGE_STEPS_FIRST;
@@ -149,12 +151,6 @@ private:
     for (const Hexahedron& h : complex_.hexahedra)
       result.push_back(scaled_jacobian(hexahedron_coordinates(points, h)));
     return result;
-  }
-
-  double minimum_at(const Positions& points) const
-  {
-    const std::vector<double> scaled_jacobians = scaled_jacobians_at(points);
-    return *std::min_element(scaled_jacobians.begin(), scaled_jacobians.end());
   }
 
   void touch(int h, const Positions& points)
