@@ -92,6 +92,25 @@ TEST(Newton_step, reaches_the_minimum_of_a_quadratic_energy_at_once)
     EXPECT_LT(g.norm(), 1e-5);
 }
 
+TEST(Newton_step, goes_beyond_the_minimum_of_the_model_where_it_is_over_relaxed)
+{
+  const Springs energy{some_targets()};
+  Newton_parameters parameters;
+  parameters.tolerance = 1e-9;
+  Block_matrix matrix = chain_matrix();
+  const Positions start(n, Vector_3(-1, 2, 0));
+  Positions minimum = start, points = start;
+  newton_step(energy, everywhere, unrestricted, not_retracted, parameters, matrix, minimum);
+  parameters.relaxation = 1.5;
+  Positions restricted;
+  newton_step(
+    energy, everywhere, [&](Positions& step) { restricted = step; }, not_retracted, parameters, matrix, points);
+  for (int v = 0; v < n; ++v) {
+    EXPECT_LT((points[v] - start[v] - 1.5 * (minimum[v] - start[v])).norm(), 1e-6) << v;
+    EXPECT_LT((points[v] - start[v] - restricted[v]).norm(), 1e-12) << v; // what restricts sees all of the step
+  }
+}
+
 TEST(Newton_step, leaves_fixed_points_and_restricted_ones)
 {
   const Springs energy{some_targets()};

@@ -186,8 +186,11 @@ public:
       const auto freedoms = [&](const Positions& forces) { return sliding_.freedoms(points, forces); };
       const Positions start = arrivals_.have_begun() ? points : Positions();
       const std::size_t invalid = quality.invalid;
+      Newton_parameters newton = parameters_.newton;
+      if (phase == Phase::CLIMBING)
+        newton.relaxation = parameters_.climbing_relaxation;
       const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), freedoms, restrict_step, retract,
-                                        parameters_.newton, matrix_, points);
+                                        newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       if (arrivals_.have_begun() && quality.invalid > invalid) {
         take_back(start, points);

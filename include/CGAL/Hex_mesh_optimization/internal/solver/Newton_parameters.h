@@ -19,6 +19,9 @@ struct Newton_parameters
   double tolerance = .05; // of the conjugate gradients: the Hessian is a model
   // More gain nothing, even on large meshes: what is left is smooth, and the next step sees it again.
   int iterations = 16;
+  // Factor of the step. Where the model is larger than the Hessian, as what is kept positive semi-definite is, steps are
+  // too short, and all converge at the rate of the model: above 1 they are over-relaxed.
+  double relaxation = 1;
   // Part of the decrease that the slope promises (Armijo), and how often the step is halved to reach it.
   double armijo = 1e-4;
   int line_search_steps = 12;

@@ -64,6 +64,7 @@ double newton_step(const Energy& energy, const Freedoms_under& freedoms_under, c
   energy.add_derivatives(points, gradient, matrix);
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
   matrix.solve(gradient, freedoms_under(gradient), parameters.tolerance, parameters.iterations, direction);
+  for_each(points.size(), [&](std::size_t v) { direction[v] *= parameters.relaxation; });
   restrict_step(direction);
   const auto slope_of_direction = [&] {
     return -sum_of_ranges(points.size(), [&](std::size_t begin, std::size_t end) {
