@@ -187,7 +187,7 @@ public:
       const Positions start = arrivals_.have_begun() ? points : Positions();
       const std::size_t invalid = quality.invalid;
       Newton_parameters newton = parameters_.newton;
-      if (phase == Phase::CLIMBING)
+      if (phase == Phase::CLIMBING && !samples_.is_bounded())
         newton.relaxation = parameters_.climbing_relaxation;
       const double energy = newton_step(Sum_of_energies(hexahedra_, boundary_), freedoms, restrict_step, retract,
                                         newton, matrix_, points);
