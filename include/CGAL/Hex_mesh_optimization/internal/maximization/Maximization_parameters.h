@@ -32,8 +32,8 @@ struct Maximization_parameters
   double shape_balance = .0375;
   double shape_balance_offset = .005;
   // Factor of the weight of poor shapes for a reference of its own without a bound: what holds it closely stretches edges
-  // (measured on an organic model and a CAD part: the ratios of edges of a hundredth of the hexahedra are 9.3 and 13.6 with
-  // 1.4, 8.8 and 13.2 with 2.1).
+  // (measured on an organic model and a CAD part: the ratios of edges of a hundredth of the hexahedra are 9.0 and 13.7 with
+  // 1.8, 8.8 and 13.5 with 2.1).
   double poor_shape_of_own = 2.1;
 
   // How far estimated target lengths of the interior move, on a logarithmic scale, to the lengths reached at the end of
