@@ -165,6 +165,25 @@ TEST_P(Boundary_guarantees, a_bound_of_the_deviation_is_obeyed)
   EXPECT_GT(improved, 0);
 }
 
+// However small it is, where the boundary came in as it is to be and the interior is tangled
+TEST_P(Boundary_guarantees, a_small_bound_of_the_deviation_is_obeyed)
+{
+  const Indexed_mesh intact = GetParam()();
+  const std::vector<Kernel::Triangle_3> reference = boundary_triangles(intact);
+  for (double edges : {1e-4, 1e-6}) {
+    SCOPED_TRACE("bound " + std::to_string(edges));
+    Indexed_mesh mesh = intact;
+    HMO::scramble_interior(mesh.points, mesh.hexahedra, 1, .6);
+    const double bound = edges * intact.mean_edge_length();
+    const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, params::maximum_deviation(bound));
+    EXPECT_GT(status.before.number_of_inverted, 0u);
+    EXPECT_TRUE(status.valid_mesh());
+    EXPECT_NE(status.return_code, Return_code::DEVIATION_BOUND_NOT_MET);
+    EXPECT_LE(largest_distance(boundary_triangles(mesh), reference), bound);
+    EXPECT_GT(status.after.minimum, .6);
+  }
+}
+
 // What a smaller bound allows, a larger one does too. The average may yield a little to the minimum.
 TEST_P(Boundary_guarantees, a_larger_bound_gives_no_lower_minimum)
 {
