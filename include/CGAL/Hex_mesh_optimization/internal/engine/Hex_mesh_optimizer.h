@@ -182,7 +182,7 @@ private:
       try_also([&] { return reach_from_boundary(); });
   }
 
-  // Between samples too.
+  // Everywhere: samples keep to a little less than the bound, and see nothing between them.
   bool is_shown_within_bound(const Positions& points) const
   {
     return certified_deviation(model_.faces, points, *model_.surface, bound_, parameters_.certification).is_shown;
@@ -208,7 +208,7 @@ private:
     return is_shown_within_bound(reached.points) || !is_shown_within_bound(start.points) ? reached : start;
   }
 
-  // Of the boundary, from now on. stays_within: what is bounded may not be farther off for a time.
+  // What all stages attach the boundary with from now on. stays_within: they do not loosen the bound for a time.
   void attach(const Boundary_attachment& attachment, bool stays_within)
   {
     attachment_ = &attachment;
@@ -404,7 +404,7 @@ private:
   Report report_;
   double bound_; // of the deviation, in mean boundary edges
   const Boundary_attachment* attachment_ = &model_.attachment;
-  bool stays_within_ = false; // the bound, or may be farther off for a time
+  bool stays_within_ = false; // the bound, which may be loosened for a time otherwise
   std::optional<Boundary_samples> samples_;
 };
 
