@@ -26,6 +26,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
@@ -83,6 +85,9 @@ public:
 
   double tightness = 1; // factor of all weights
 
+  // Only the samples of these faces count; all do until that is called.
+  void set_active(std::vector<char> faces) { is_active_ = std::move(faces); }
+
   double value(const Positions& points) const
   {
     return tightness * sum_of_ranges(samples_.samples().size(),
@@ -90,6 +95,8 @@ public:
                                        double sum = 0;
                                        for (std::size_t i = begin; i < end; ++i) {
                                          const Boundary_sample& s = samples_.samples()[i];
+                                         if (!is_active(s.face))
+                                           continue;
                                          sum += s.weight * s.emphasis *
                                                 distance_.value(s.offset(points).norm() / s.scale);
                                        }
@@ -102,12 +109,15 @@ public:
   {
     ranges_.for_ranges([&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
-        add_derivatives_of_face(f, points, gradient, matrix);
+        if (is_active(f))
+          add_derivatives_of_face(f, points, gradient, matrix);
     });
   }
 
 private:
   static constexpr std::size_t faces_of_range = 64;
+
+  bool is_active(std::size_t face) const { return is_active_.empty() || is_active_[face]; }
 
   // h w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D and acts with the part h: whatever the
   // tightness, the tube does not give.
@@ -117,6 +127,8 @@ private:
              double sum = 0;
              for (std::size_t i = begin; i < end; ++i) {
                const Boundary_sample& s = samples_.samples()[i];
+               if (!is_active(s.face))
+                 continue;
                const double x = s.offset(points).squaredNorm() / (s.wall * s.wall);
                sum += s.hold * s.weight * x * x * x;
              }
@@ -179,6 +191,7 @@ private:
   const Boundary_samples& samples_;
   const Distance_energy distance_;
   const Conflict_free_ranges ranges_; // of the faces
+  std::vector<char> is_active_;       // faces; empty: all are
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

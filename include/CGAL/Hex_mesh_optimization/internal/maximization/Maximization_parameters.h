@@ -72,7 +72,7 @@ struct Maximization_parameters
   double held_closely = .97;
   double least_gain_of_minimum = 2e-3;
   double least_change_of_average = 1.5e-4;
-  std::size_t patience = 7;
+  std::size_t patience = 5;
   std::size_t settling_iterations = 16;
   std::size_t least_settling_iterations = 3;
   std::size_t longest_settling_iterations = 40;

@@ -131,17 +131,19 @@ public:
     if (!(largest > 0) || !std::isfinite(largest))
       return 0;
     std::vector<Diagonal_block> D(n), inverse(n); // D⁻¹, within the freedoms
+    std::vector<char> moves(n, false);
     // in terms of the sweeps: the residual r' = (D + L)⁻¹ r, the direction d'
     const Vector zero = Vector::Zero();
-    std::vector<Vector> y(n, zero), r(n), d(n), swept_d(n), Ad(n), w(n, zero);
+    std::vector<Vector> y(n, zero), r(n, zero), d(n, zero), swept_d(n, zero), Ad(n, zero), w(n, zero);
     for_each(n, [&](std::size_t v) {
       D[v] = Diagonal_block(diagonal[v]);
       if (freedoms[v].dimension() > 0) {
+        moves[v] = true;
         inverse[v] = Diagonal_block(freedoms[v].inverse(diagonal[v]));
         w[v].head<3>() = (b[v] / largest).cast<float>();
       }
     });
-    solve_lower(inverse, w, r);
+    solve_lower(moves, inverse, w, r);
     double rz = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
       double sum = 0;
       for (std::size_t v = begin; v < end; ++v) {
@@ -153,8 +155,8 @@ public:
     const double stop = tolerance * tolerance * rz;
     int iteration = 0;
     for (; iteration < maximum_iterations && rz > stop; ++iteration) {
-      solve_upper(inverse, swept_d, d, w);
-      solve_lower(inverse, w, Ad);
+      solve_upper(moves, inverse, swept_d, d, w);
+      solve_lower(moves, inverse, w, Ad);
       const double dAd = sum_of_ranges(n, [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t v = begin; v < end; ++v) {
@@ -255,11 +257,14 @@ private:
     return a < b || (a == b && i < j);
   }
 
-  // Solves (D + L) y = b; overwrites b.
-  void solve_lower(const std::vector<Diagonal_block>& inverse, std::vector<Vector>& b, std::vector<Vector>& y) const
+  // Solves (D + L) y = b; overwrites b. y is 0, and stays so, at rows that do not move.
+  void solve_lower(const std::vector<char>& moves, const std::vector<Diagonal_block>& inverse, std::vector<Vector>& b,
+                   std::vector<Vector>& y) const
   {
     ranges_->for_ranges([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
+        if (!moves[v])
+          continue;
         const Vector x = inverse[v] * b[v];
         y[v] = x;
         const float *block = entries_.data() + entries_of_block * offsets_[v], x0 = x[0], x1 = x[1], x2 = x[2];
@@ -270,12 +275,14 @@ private:
     });
   }
 
-  // Solves (D + Lᵀ) y = b, and gives Lᵀ y.
-  void solve_upper(const std::vector<Diagonal_block>& inverse, const std::vector<Vector>& b, std::vector<Vector>& y,
-                   std::vector<Vector>& Ly) const
+  // Solves (D + Lᵀ) y = b, and gives Lᵀ y. At rows that do not move, y is 0 and stays so, and Lᵀ y is not needed.
+  void solve_upper(const std::vector<char>& moves, const std::vector<Diagonal_block>& inverse,
+                   const std::vector<Vector>& b, std::vector<Vector>& y, std::vector<Vector>& Ly) const
   {
     ranges_->for_ranges_backwards([&](std::size_t begin, std::size_t end) {
       for (std::size_t v = end; v-- > begin;) {
+        if (!moves[v])
+          continue;
         Vector s0 = Vector::Zero(), s1 = s0, s2 = s0;
         const float* block = entries_.data() + entries_of_block * offsets_[v];
         for (std::size_t k = offsets_[v]; k < offsets_[v + 1]; ++k, block += entries_of_block) {

@@ -165,6 +165,11 @@ private:
     std::sort(active.begin(), active.end());
     active.erase(std::unique(active.begin(), active.end()), active.end());
     hexahedra_.set_active(std::move(active));
+    std::vector<char> is_active(samples_.faces().size(), false); // faces
+    for (std::size_t f = 0; f < is_active.size(); ++f)
+      for (int v : samples_.faces()[f])
+        is_active[f] = is_active[f] || !is_passive_[v];
+    boundary_.set_active(std::move(is_active));
   }
 
   const Hexahedral_complex& complex_;
