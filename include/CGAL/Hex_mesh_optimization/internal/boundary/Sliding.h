@@ -247,7 +247,7 @@ public:
   }
 
   // Lets each of those that are called go the way to its place, the nearest first: go(vertices, way), of those that move
-  // together, moves them along the way, or to another place that place_near() allows, and tells whether they have come.
+  // together, moves them along the way, or to another place that reached() allows, and tells whether they have come.
   template <class Go>
   void approach(Positions& points, const Go& go)
   {
@@ -260,7 +260,7 @@ public:
     std::sort(order.begin(), order.end());
     for (const auto& [distance, v] : order) {
       const Vector_3 way = place(v, points[v]) - points[v];
-      is_there_[v] = true; // so that place_near() keeps it there
+      is_there_[v] = true; // so that reached() keeps it there
       is_there_[v] = go(vertices_with(v), way);
       if (is_there_[v])
         points[v] = place(v, points[v]);
@@ -275,8 +275,10 @@ public:
     return stays || goes_with_[v] != v ? std::vector<int>() : vertices_with(v);
   }
 
-  // Where v may stand, nearest to p: on its curve or face if it has come there.
-  Vector_3 place_near(int v, const Vector_3& p) const { return is_there_[v] ? place(v, p) : p; }
+  // Where v comes to if it is to go from one place to another: on its curve or face if it stands there.
+  Vector_3 reached(int v, const Vector_3&, const Vector_3& to) const { return is_there_[v] ? place(v, to) : to; }
+  // Wherever vertices come to, they may stand.
+  bool allows(const std::vector<int>&, const Positions&) const { return true; }
 
 private:
   enum class Kind : char { FIXED, CORNER, CURVE, SURFACE, FREE }; // the less freedom, the lower

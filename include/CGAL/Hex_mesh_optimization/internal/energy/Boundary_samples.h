@@ -29,6 +29,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/surface_samples.h>
@@ -314,8 +315,10 @@ public:
                    most = parameters_.most_of_bound * (std::max)(s.bound, parameters_.most_growth * now);
       double then = s.offset(reached).norm();
       // only the way of what moves so far has to be looked at more closely
-      if (then <= most && now + (s.place(reached) - s.place(points)).norm() > most)
-        then = (std::max)(then, distance(i, reached));
+      if (s.kind == Vertex_kind::SURFACE && then <= most && now + (s.place(reached) - s.place(points)).norm() > most)
+        then = (std::max)(then,
+                          distance(i, std::array<Triangle_indices, 1>{{{s.vertices[0], s.vertices[1], s.vertices[2]}}},
+                                   reached));
       leaves[i] = then > now && then > most;
     });
     for (std::size_t i = 0; i < samples_.size(); ++i)
@@ -326,21 +329,49 @@ public:
             is_leaving[h] = true;
   }
 
+  // Whether no sample on these faces is farther than tolerated, whatever is nearest to it by now. Those of the reference
+  // look for it on these faces only. After an update(); of faces with few samples between the vertices.
+  bool are_within(const std::vector<int>& faces, const Positions& points)
+  {
+    std::vector<std::array<int, 4>> quads;
+    for (int f : faces)
+      quads.push_back(faces_.quads[f]);
+    const std::vector<Triangle_indices> triangles = split_quads(quads);
+    return std::all_of(faces.begin(), faces.end(), [&](int f) {
+      const Grouped_array::Group on_face = of_face_[f];
+      return std::all_of(on_face.begin(), on_face.end(),
+                         [&](int i) { return !(distance(i, triangles, points) > tolerated(samples_[i])); });
+    });
+  }
+
 private:
-  // How far sample i would be from its surface, where the target that it has tells less than that: the surface may turn
-  // on the way.
-  double distance(std::size_t i, const Positions& reached)
+  // How far sample i is from what it is attached to, where the target that it has tells less than that: the surface, or
+  // the curve, may turn on the way. triangles: among which a sample of the reference looks for the nearest.
+  template <class Triangles>
+  double distance(std::size_t i, const Triangles& triangles, const Positions& points)
   {
     const Boundary_sample& s = samples_[i];
-    if (s.kind != Vertex_kind::SURFACE)
-      return 0;
-    if (i < own_count_)
-      return targets_.distance(i, s.place(reached), faces_.sheet(s.face));
+    const Vector_3 p = s.place(points);
+    if (i < own_count_) {
+      if (s.kind == Vertex_kind::SURFACE)
+        return targets_.distance(i, p, faces_.sheet(s.face));
+      return s.curve >= 0 ? (targets_.on_curve(s.curve, p).place - p).norm() : s.offset(points).norm();
+    }
+    const Vector_3& sample = s.target.place;
+    if (s.kind != Vertex_kind::SURFACE) {
+      const Vector_3 &a = points[s.vertices[0]], edge = points[s.vertices[1]] - a;
+      const double t = edge.dot(sample - a) / (std::max)(edge.squaredNorm(), (std::numeric_limits<double>::min)());
+      return (a + std::clamp(t, 0.0, 1.0) * edge - sample).norm();
+    }
     if (s.target.projector.isZero()) // beyond a rim
       return 0;
-    const Vector_3 &a = reached[s.vertices[0]], &b = reached[s.vertices[1]], &c = reached[s.vertices[2]];
-    const std::array<double, 3> w = closest_point_of_triangle(s.target.place, a, b, c);
-    return (w[0] * a + w[1] * b + w[2] * c - s.target.place).norm();
+    double nearest = std::numeric_limits<double>::infinity(); // its square
+    for (const Triangle_indices& t : triangles) {
+      const Vector_3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+      const std::array<double, 3> w = closest_point_of_triangle(sample, a, b, c);
+      nearest = (std::min)(nearest, (w[0] * a + w[1] * b + w[2] * c - sample).squaredNorm());
+    }
+    return std::sqrt(nearest);
   }
 
   // A search takes some microseconds, one along a curve more.

@@ -36,6 +36,11 @@ struct Optimization_parameters : Chosen_parameters
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
+  // Within a bound the worst are raised by search, where it leads out of the bound between samples up to so often, if so
+  // much is gained; the average counts so much.
+  std::size_t most_raises = 6;
+  double least_raise = .002;
+  double average_of_raised = .001;
   // A mesh that was brought to a reference and whose minimum is above this has quality to spare for the largest deviation:
   // it is bound to the part of what it is, so often, as long as the minimum stays above and the average loses no more
   // than that. sin 120° = .866 is the most where three faces meet on a smooth surface, so that hardly any mesh of an

@@ -225,7 +225,7 @@ private:
   const std::vector<double>& lengths_;
   Sliding& sliding_;
   const Arrival_parameters parameters_;
-  Pattern_search search_;
+  Pattern_search<Sliding> search_;
   std::size_t calls_ = 0;
   double level_ = 0, first_level_ = 0, least_away_ = 0; // the last: a number of vertices
 };
