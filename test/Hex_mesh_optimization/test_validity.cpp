@@ -444,7 +444,7 @@ TEST(Tiers, agree)
 {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  int rounded_answers = 0, interval_answers = 0, total = 0;
+  int answers_by_means = 0, rounded_answers = 0, interval_answers = 0, total = 0;
   for (int n = 0; n < 1500; ++n) {
     // a map of rank 3 or 2, noise from large to the rounding of the coordinates
     double matrix[3][3];
@@ -468,6 +468,10 @@ TEST(Tiers, agree)
     EXPECT_EQ(internal::exact_validity<CGAL::MP_Float>(x, 20), exact);
     EXPECT_EQ(internal::hexahedron_validity(x), exact);
     ++total;
+    if (internal::have_like_edges(edges)) {
+      ++answers_by_means;
+      EXPECT_EQ(exact, Validity::VALID);
+    }
     if (const auto rounded = internal::rounded_validity(edges, scaling, 20)) {
       ++rounded_answers;
       EXPECT_EQ(*rounded, exact);
@@ -478,6 +482,7 @@ TEST(Tiers, agree)
     }
   }
   // each tier is needed
+  EXPECT_GT(answers_by_means, total / 10);
   EXPECT_GT(rounded_answers, total / 2);
   EXPECT_GT(interval_answers, rounded_answers);
   EXPECT_LT(interval_answers, total);
