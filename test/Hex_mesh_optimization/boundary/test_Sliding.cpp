@@ -245,7 +245,7 @@ TEST_P(Sliding_of_families, tells_places_near_others)
   for (int v = 0; v < static_cast<int>(s.points.size()); ++v) {
     const bool is_corner = s.attachment.kind[v] == Vertex_kind::CORNER;
     EXPECT_EQ(sliding.movable_with(v), is_corner ? std::vector<int>() : std::vector<int>{v});
-    const Vector_3 p = s.points[v] + random_vector(random, .2), q = sliding.place_near(v, p);
+    const Vector_3 p = s.points[v] + random_vector(random, .2), q = sliding.reached(v, s.points[v], p);
     if (s.attachment.kind[v] == Vertex_kind::INTERIOR)
       EXPECT_EQ(q, p);
     else
