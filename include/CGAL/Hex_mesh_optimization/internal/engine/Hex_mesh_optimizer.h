@@ -188,7 +188,7 @@ private:
   }
 
   // The worst hexahedra, one vertex after the other: in a narrow tube Newton's method jams (measured on a CAD part and
-  // an organic model bound to .1 % of their diagonals: the minima are .34 and .30 instead of .32 and .24). Edges that are
+  // an organic model bound to .1 % of their diagonals: the minima are .34 and .31 instead of .32 and .24). Edges that are
   // short already may stay so.
   void raise_within_bound(Positions& points)
   {
