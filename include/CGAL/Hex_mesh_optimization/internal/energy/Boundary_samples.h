@@ -330,7 +330,7 @@ public:
   }
 
   // Whether no sample on these faces is farther than tolerated, whatever is nearest to it by now. Those of the reference
-  // look for it on these faces only. After an update(); of faces with few samples between the vertices.
+  // look for it on these faces only. After an update(). What is between the samples it does not see.
   bool are_within(const std::vector<int>& faces, const Positions& points)
   {
     std::vector<std::array<int, 4>> quads;
