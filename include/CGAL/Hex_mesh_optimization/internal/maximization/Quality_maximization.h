@@ -104,7 +104,9 @@ public:
     // what stands exactly on curves and faces may leave them for a time, unless it would be worse off for good
     if (!best.is_protected())
       sliding_.let_go();
-    Progress climb(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average), settling = climb;
+    const double change_of_average = samples_.is_bounded() ? parameters_.bounded_climbing_change_of_average
+                                                           : parameters_.climbing_change_of_average;
+    Progress climb(quality, parameters_.climbing_gain, change_of_average), settling = climb;
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     const bool is_to_arrive = sliding_.holds_more_than_corners();
     Phase phase = Phase::CLIMBING;
@@ -116,7 +118,7 @@ public:
       phase = Phase::CLIMBING;
       boundary_.tightness = parameters_.start_tightness;
       begun = i;
-      climb = Progress(quality, parameters_.climbing_gain, parameters_.climbing_change_of_average);
+      climb = Progress(quality, parameters_.climbing_gain, change_of_average);
     };
     const auto time_is_over = [&control] { return control.time_is_over(); };
     climb_from(0);
