@@ -104,11 +104,12 @@ public:
     // what stands exactly on curves and faces may leave them for a time, unless it would be worse off for good
     if (!best.is_protected())
       sliding_.let_go();
-    const double change_of_average = samples_.is_bounded() ? parameters_.bounded_climbing_change_of_average
-                                                           : parameters_.climbing_change_of_average;
-    Progress climb(quality, parameters_.climbing_gain, change_of_average), settling = climb;
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     const bool is_to_arrive = sliding_.holds_more_than_corners();
+    const double change_of_average = samples_.is_bounded() || is_to_arrive
+                                       ? parameters_.careful_climbing_change_of_average
+                                       : parameters_.climbing_change_of_average;
+    Progress climb(quality, parameters_.climbing_gain, change_of_average), settling = climb;
     Phase phase = Phase::CLIMBING;
     bool has_relaxed = false, recovers = false, has_raised = false, used_up = false; // the iterations of a phase
     std::size_t begun = 0, waited = 0, settled = 0; // begun: the iteration in which climbing has
