@@ -76,8 +76,8 @@ public:
     const bool has_interface = boundary_samples().is_bounded() && !boundary_samples().is_bounded_everywhere();
     Reached reached = reach(parameters_.method == Method::RECTIFICATION || (is_full && has_interface) ? Start::RECTIFIED
                                                                                                       : Start::GIVEN);
-    if (is_full && boundary_samples().is_bounded_everywhere() && reached.start == Start::GIVEN &&
-        !control_.is_stopped() && is_held_down(reached.points)) {
+    if (is_full && reached.start == Start::GIVEN && !control_.is_stopped() &&
+        (boundary_samples().is_bounded_everywhere() ? is_held_down(reached.points) : are_some_off(reached.points))) {
       // what jams on its way from one start may come in from another
       Reached other = reach(Start::RECTIFIED);
       if (is_better(other.points, reached.points))
@@ -289,6 +289,13 @@ private:
   {
     return excess(points) > 0 ||
            Mesh_quality(mesh_.complex, points).minimum < parameters_.maximization.floor.hold_limit;
+  }
+
+  // Whether all of the boundary is to be on the surface, and some of it is not, or not on its features (measured on an
+  // organic model: 3 vertices are off the surface after the first start, none after the second).
+  bool are_some_off(const Positions& points) const
+  {
+    return parameters_.boundary_placement == Boundary_placement::ON_SURFACE && sliding(points).away(points).in_all > 0;
   }
 
   // Of two results.

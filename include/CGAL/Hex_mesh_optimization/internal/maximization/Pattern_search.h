@@ -204,7 +204,7 @@ private:
       std::vector<int> vertices, edges;
       double sum = 0;
       for (const auto& [h, before] : before_) {
-        const double lacking = lack(h, level, 0, points);
+        const double lacking = lack(h, level, 0, points, std::numeric_limits<double>::infinity());
         sum += lacking;
         if (lacking > 0) {
           vertices.insert(vertices.end(), complex_.hexahedra[h].begin(), complex_.hexahedra[h].end());
@@ -325,14 +325,14 @@ private:
         for (int h : complex_.vertex_hexahedra[v]) {
           if (!(sum < most))
             return sum;
-          sum += lack(h, level, weight_of_average, points);
+          sum += lack(h, level, weight_of_average, points, most - sum);
         }
     return sum;
   }
 
   // The sum of the squares of what corners lack of the level, and edges of their length, and what corners lack of 1, times
-  // the weight.
-  double lack(int h, double level, double weight_of_average, const Positions& points) const
+  // the weight. More than most need not be told apart: whether it is valid takes the longest to tell.
+  double lack(int h, double level, double weight_of_average, const Positions& points, double most) const
   {
     const auto squared = [](double x) { return x * x; };
     const Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
@@ -345,7 +345,7 @@ private:
     const double least = order_ == Order::SMALL_STEPS_FIRST ? parameters_.least_edge_of_raised : parameters_.least_edge;
     for (int directed : complex_.hexahedron_edges[h])
       sum += squared((std::max)(0.0, 1 - length(directed / 2, points) / (least * lengths_[directed / 2])));
-    if (is_inverted || hexahedron_validity(x) != Validity::VALID)
+    if (sum < most && (is_inverted || hexahedron_validity(x) != Validity::VALID))
       sum += parameters_.lack_of_invalid + parameters_.lack_of_negative * part_below_zero(x);
     return sum;
   }

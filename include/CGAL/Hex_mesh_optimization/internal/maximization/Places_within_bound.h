@@ -49,8 +49,10 @@ public:
     switch (attachment_.kind[v]) {
     case Vertex_kind::FEATURE:
       return from + on_curve(v, to) - on_curve(v, from);
-    case Vertex_kind::SURFACE:
-      return from + on_surface(v, to) - on_surface(v, from);
+    case Vertex_kind::SURFACE: {
+      const Surface_point foot = on_surface(v, from, Surface_point::no_hint);
+      return from + on_surface(v, to, foot.hint).point - foot.point;
+    }
     default:
       return sliding_.reached(v, from, to);
     }
@@ -72,9 +74,9 @@ private:
     return surface_.curves[attachment_.curve[v]]->closest_point(p).point;
   }
 
-  Vector_3 on_surface(int v, const Vector_3& p) const
+  Surface_point on_surface(int v, const Vector_3& p, std::size_t hint) const
   {
-    return surface_.closest_point(p, Surface_point::no_hint, attachment_.sheet[v]).point;
+    return surface_.closest_point(p, hint, attachment_.sheet[v]);
   }
 
   const Reference_surface& surface_;
