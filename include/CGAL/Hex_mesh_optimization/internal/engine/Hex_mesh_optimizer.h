@@ -292,7 +292,8 @@ private:
   }
 
   // Whether all of the boundary is to be on the surface, and some of it is not, or not on its features (measured on an
-  // organic model: 3 vertices are off the surface after the first start, none after the second).
+  // organic model, with a least regularization of untangling of 3e-5: after the first start 3 vertices are not at their
+  // places, after the second one, which is on the surface).
   bool are_some_off(const Positions& points) const
   {
     return parameters_.boundary_placement == Boundary_placement::ON_SURFACE && sliding(points).away(points).in_all > 0;
