@@ -47,7 +47,8 @@ TEST_P(Boundary_energy_of_families, has_the_gradient_of_its_value)
     Positions gradient(s.points.size(), Vector_3::Zero());
     Block_matrix matrix(vertex_couplings(s.complex));
     matrix.set_zero();
-    energy.add_derivatives(s.points, gradient, matrix);
+    const double value = energy.add_derivatives(s.points, gradient, matrix);
+    EXPECT_NEAR(value, energy.value(s.points), 1e-12 * value);
     double largest = 0;
     for (const Vector_3& g : gradient)
       largest = (std::max)(largest, g.norm());

@@ -231,10 +231,11 @@ TEST(Hexahedron_energy, is_the_same_for_several_hexahedra_at_once)
     const Hexahedron_frame<Lanes> frame(vectors);
     const Lanes values = energy.value(frame, inverse_targets, floor, certainty);
     Hexahedron_derivatives<Lanes> d;
-    energy.derivatives(frame, inverse_targets, floor, d, certainty);
+    const Lanes with_derivatives = energy.derivatives(frame, inverse_targets, floor, d, certainty);
     for (int l = 0; l < number_of_lanes; ++l) {
       const double value = element(l).value(energy);
       EXPECT_NEAR(lane(values, l), value, 1e-4 * value);
+      EXPECT_NEAR(lane(with_derivatives, l), value, 1e-4 * value);
       const Hexahedron_derivatives<double> expected = element(l).derivatives(energy);
       Hexahedron_derivatives<double> found;
       for (int i = 0; i < 8; ++i) {

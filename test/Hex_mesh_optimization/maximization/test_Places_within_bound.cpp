@@ -5,10 +5,10 @@
 // around them keep to the bound; a search that goes only there stays within it.
 
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Pattern_search.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Places_within_bound.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 
-#include "../Attached_mesh.h"
+#include "Bounded_mesh.h"
+
 #include "../mesh_families.h"
 #include "../random_positions.h"
 
@@ -22,30 +22,6 @@ namespace {
 
 using namespace CGAL::Hex_mesh_optimization::internal;
 
-struct Bounded_mesh : Attached_mesh
-{
-  Boundary_samples its_samples;
-  const Sliding its_sliding;
-  const Places_within_bound places;
-
-  Bounded_mesh(const Indexed_mesh& mesh, double bound)
-    : Attached_mesh(mesh)
-    , its_samples(complex, faces, *surface, attachment, lengths, false, bound, boundary.samples)
-    , its_sliding(sliding())
-    , places(*surface, attachment, its_sliding, its_samples, points.size())
-  {
-    its_samples.update(points, 1);
-  }
-
-  // Of a vertex that is attached to either.
-  double distance(std::size_t v, const Vector_3& p) const
-  {
-    return attachment.kind[v] == Vertex_kind::FEATURE
-             ? (surface->curves[attachment.curve[v]]->closest_point(p).point - p).norm()
-             : (surface->closest_point(p, Surface_point::no_hint, attachment.sheet[v]).point - p).norm();
-  }
-};
-
 class Places_within_bound_of_families : public ::testing::TestWithParam<Mesh_family>
 {};
 
@@ -57,8 +33,9 @@ TEST_P(Places_within_bound_of_families, lead_along_what_vertices_are_attached_to
   std::mt19937 random(31);
   const Bounded_mesh s(GetParam()(), .05);
   for (std::size_t v = 0; v < s.points.size(); ++v) {
+    const int vertex = static_cast<int>(v);
     const Vector_3 to = s.points[v] + random_vector(random, .3),
-                   reached = s.places.reached(static_cast<int>(v), s.points[v], to);
+                   reached = s.places.reached(vertex, s.places.departure(vertex, s.points[v]), to);
     switch (s.attachment.kind[v]) {
     case Vertex_kind::FEATURE:
     case Vertex_kind::SURFACE:

@@ -35,7 +35,7 @@ struct Springs
     return sum;
   }
 
-  void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
     for (int v = 0; v < static_cast<int>(points.size()); ++v) {
       gradient[v] += points[v] - targets[v];
@@ -49,6 +49,7 @@ struct Springs
         matrix.add(v, v - 1, -Matrix_3::Identity());
       }
     }
+    return value(points);
   }
 };
 

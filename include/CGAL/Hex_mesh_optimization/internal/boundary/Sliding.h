@@ -275,8 +275,10 @@ public:
     return stays || goes_with_[v] != v ? std::vector<int>() : vertices_with(v);
   }
 
-  // Where v comes to if it is to go from one place to another: on its curve or face if it stands there.
-  Vector_3 reached(int v, const Vector_3&, const Vector_3& to) const { return is_there_[v] ? place(v, to) : to; }
+  // Where v comes to if it is to go from where it departs to another place: on its curve or face if it stands there.
+  using Departure = Vector_3;
+  Departure departure(int, const Vector_3& from) const { return from; }
+  Vector_3 reached(int v, const Departure&, const Vector_3& to) const { return is_there_[v] ? place(v, to) : to; }
   // Wherever vertices come to, they may stand.
   bool allows(const std::vector<int>&, const Positions&) const { return true; }
 

@@ -22,10 +22,10 @@
 #include <CGAL/Hex_mesh_optimization/internal/solver/Block_matrix.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -90,28 +90,26 @@ public:
 
   double value(const Positions& points) const
   {
-    return tightness * sum_of_ranges(samples_.samples().size(),
-                                     [&](std::size_t begin, std::size_t end) {
-                                       double sum = 0;
-                                       for (std::size_t i = begin; i < end; ++i) {
-                                         const Boundary_sample& s = samples_.samples()[i];
-                                         if (!is_active(s.face))
-                                           continue;
-                                         sum += s.weight * s.emphasis *
-                                                distance_.value(s.offset(points).norm() / s.scale);
-                                       }
-                                       return sum;
-                                     }) +
-           (samples_.is_bounded() ? value_of_walls(points) : 0);
+    return sum_of_ranges(samples_.samples().size(), [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Boundary_sample& s = samples_.samples()[i];
+        if (is_active(s.face))
+          sum += value_of_sample(s, s.offset(points).squaredNorm());
+      }
+      return sum;
+    });
   }
 
-  void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
+    std::vector<double> values(samples_.faces().size(), 0.0); // of the faces
     ranges_.for_ranges([&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
         if (is_active(f))
-          add_derivatives_of_face(f, points, gradient, matrix);
+          values[f] = add_derivatives_of_face(f, points, gradient, matrix);
     });
+    return std::accumulate(values.begin(), values.end(), 0.0);
   }
 
 private:
@@ -119,31 +117,28 @@ private:
 
   bool is_active(std::size_t face) const { return is_active_.empty() || is_active_[face]; }
 
-  // h w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D and acts with the part h: whatever the
-  // tightness, the tube does not give.
-  double value_of_walls(const Positions& points) const
+  // The attachment, and h w (d/D)⁶ for a sample of weight w at the distance d, whose wall stands at D and acts with the
+  // part h: whatever the tightness, the tube does not give.
+  double value_of_sample(const Boundary_sample& s, double squared_distance) const
   {
-    return samples_.wall_weight() * sum_of_ranges(samples_.samples().size(), [&](std::size_t begin, std::size_t end) {
-             double sum = 0;
-             for (std::size_t i = begin; i < end; ++i) {
-               const Boundary_sample& s = samples_.samples()[i];
-               if (!is_active(s.face))
-                 continue;
-               const double x = s.offset(points).squaredNorm() / (s.wall * s.wall);
-               sum += s.hold * s.weight * x * x * x;
-             }
-             return sum;
-           });
+    double value = tightness * s.weight * s.emphasis * distance_.value(std::sqrt(squared_distance) / s.scale);
+    if (samples_.is_bounded()) {
+      const double x = squared_distance / (s.wall * s.wall);
+      value += samples_.wall_weight() * s.hold * s.weight * x * x * x;
+    }
+    return value;
   }
 
-  // Samples share faces, so that the matrix is visited once for all of one face.
-  void add_derivatives_of_face(std::size_t f, const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  // Samples share faces, so that the matrix is visited once for all of one face. Returns the value of its samples.
+  double add_derivatives_of_face(std::size_t f, const Positions& points, Positions& gradient,
+                                 Block_matrix& matrix) const
   {
     const std::array<int, 4>& corners = samples_.faces()[f];
     using Symmetric =
       Eigen::Matrix<double, 6, 1>; // xx, xy, xz, yy, yz, zz: as shares are numbers, all blocks are symmetric
     Symmetric blocks[4][4];
     Vector_3 gradients[4];
+    double value = 0;
     for (int i = 0; i < 4; ++i) {
       gradients[i].setZero();
       for (int j = 0; j <= i; ++j)
@@ -152,11 +147,13 @@ private:
     for (int sample : samples_.of_face(f)) {
       const Boundary_sample& s = samples_.samples()[sample];
       const Vector_3 offset = s.offset(points);
+      const double squared_distance = offset.squaredNorm();
+      value += value_of_sample(s, squared_distance);
       const double square = s.scale * s.scale, weight = tightness * s.weight * s.emphasis / square;
-      const Distance_energy::Derivatives e = distance_.derivatives(offset.norm() / s.scale);
+      const Distance_energy::Derivatives e = distance_.derivatives(std::sqrt(squared_distance) / s.scale);
       double slope = weight * e.slope, growth = weight * e.growth / square;
       if (samples_.is_bounded()) {
-        const double D2 = s.wall * s.wall, x = offset.squaredNorm() / D2,
+        const double D2 = s.wall * s.wall, x = squared_distance / D2,
                      u = 6 * samples_.wall_weight() * s.hold * s.weight * x / D2;
         slope += u * x;
         growth += 4 * u / D2;
@@ -169,13 +166,15 @@ private:
         slope * P(2, 2) + o[2] * offset[2];
       double shares[4] = {0, 0, 0, 0};
       for (int k = 0; k < s.count; ++k)
-        shares[std::find(corners.begin(), corners.end(), s.vertices[k]) - corners.begin()] = s.shares[k];
+        for (int i = 0; i < 4; ++i)
+          shares[i] += corners[i] == s.vertices[k] ? s.shares[k] : 0;
       for (int i = 0; i < 4; ++i) {
         if (shares[i] == 0)
           continue;
         gradients[i] += shares[i] * force;
         for (int j = 0; j <= i; ++j)
-          blocks[i][j] += shares[i] * shares[j] * hessian;
+          if (shares[j] != 0)
+            blocks[i][j] += shares[i] * shares[j] * hessian;
       }
     }
     for (int i = 0; i < 4; ++i) {
@@ -186,6 +185,7 @@ private:
                    (Matrix_3() << b[0], b[1], b[2], b[1], b[3], b[4], b[2], b[4], b[5]).finished());
       }
     }
+    return value;
   }
 
   const Boundary_samples& samples_;

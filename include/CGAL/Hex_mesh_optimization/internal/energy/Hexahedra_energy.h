@@ -61,26 +61,32 @@ public:
   double value(const Positions& points) const
   {
     return hexahedra_.sum([&](std::size_t i) {
-      const Lanes values = energy_.value(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i),
-                                         *certainties_.batch(i));
-      double of_batch = 0;
-      for (int l = 0; l < hexahedra_.number_of_hexahedra(i); ++l)
-        of_batch += lane(values, l);
-      return of_batch;
+      return sum_of_batch(i, energy_.value(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i),
+                                           *certainties_.batch(i)));
     });
   }
 
-  void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
+    std::vector<double> values(hexahedra_.size()); // of the batches
     hexahedra_.for_each_without_conflict([&](std::size_t i) {
       Hexahedron_derivatives<Lanes> d;
-      energy_.derivatives(hexahedra_.frame(i, points), inverse_targets_.batch(i), floors_.batch(i), d,
-                          *certainties_.batch(i));
+      values[i] = sum_of_batch(i, energy_.derivatives(hexahedra_.frame(i, points), inverse_targets_.batch(i),
+                                                      floors_.batch(i), d, *certainties_.batch(i)));
       hexahedra_.add(i, d, assembly_, gradient, matrix);
     });
+    return hexahedra_.sum([&](std::size_t i) { return values[i]; });
   }
 
 private:
+  double sum_of_batch(std::size_t i, const Lanes& values) const
+  {
+    double sum = 0;
+    for (int l = 0; l < hexahedra_.number_of_hexahedra(i); ++l)
+      sum += lane(values, l);
+    return sum;
+  }
+
   const Hexahedral_complex& complex_;
   const Hexahedron_batches& hexahedra_;
   const Hexahedron_assembly& assembly_;

@@ -57,11 +57,7 @@ public:
              const Real& certainty = Real{}) const
   {
     using Number = typename Lane<Real>::type;
-    const Number offset = Number(parameters_.norm_offset), barrier = Number(parameters_.barrier_weight),
-                 half_floor_weight = Number(parameters_.floor_weight / 2),
-                 half_shape = Number(parameters_.shape_weight / 2),
-                 third_poor_shape = Number(parameters_.poor_shape_weight / 3),
-                 certain_shape = Number(parameters_.certain_shape_weight);
+    const Number offset = Number(parameters_.norm_offset);
     const Edge_ratios<Real> ratios(frame, inverse_targets);
     Real sum{}, norm{}, lowest = Real{} + Number(1);
     for (int i = 0; i < 8; ++i) {
@@ -69,17 +65,16 @@ public:
       lowest = smaller(s, lowest);
       const Real safe = if_positive(s, larger(s, Real{} + least_scaled_jacobian<Number>()), Real{} + Number(1));
       const Real excess = larger(Real{}, ratios.mean_ratio(i, safe) - Number(1));
-      sum += excess * (certain_shape * certainty + excess * (half_shape + third_poor_shape * excess)) -
-             barrier * logarithm(safe) + half_floor_weight * below * below;
+      sum += value_of_corner(safe, below, excess, certainty);
       norm += power_8(Number(1) - s + offset);
     }
     return if_positive(lowest, sum + Number(8) * root_8(norm * Number(.125)),
                        Real{} + std::numeric_limits<Number>::infinity());
   }
 
-  // All scaled Jacobians must be positive. Overwrites d.
+  // Overwrites d, which is that where scaled Jacobians are positive. Returns the value.
   template <class Real>
-  void derivatives(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor,
+  Real derivatives(const Hexahedron_frame<Real>& frame, const Real* inverse_targets, const Real* floor,
                    Hexahedron_derivatives<Real>& d, const Real& certainty = Real{}) const
   {
     using Number = typename Lane<Real>::type;
@@ -89,11 +84,14 @@ public:
                  certain_shape = Number(parameters_.certain_shape_weight);
     const Edge_ratios<Real> ratios(frame, inverse_targets);
     d.set_zero();
-    Real norm{};
-    for (int i = 0; i < 8; ++i)
-      norm += power_8(Number(1) - Corner_frame<Real>(frame, i).scaled_jacobian + offset);
+    Real sum{}, norm{}, lowest = Real{} + Number(1);
+    for (int i = 0; i < 8; ++i) {
+      const Real s = Corner_frame<Real>(frame, i).scaled_jacobian;
+      lowest = smaller(s, lowest);
+      norm += power_8(Number(1) - s + offset);
+    }
     norm *= Number(.125);
-    const Real outer = root_8(norm) / norm;
+    const Real root = root_8(norm), outer = root / norm;
     for (int i = 0; i < 8; ++i) {
       const Corner_frame<Real> corner(frame, i);
       const Real s = larger(corner.scaled_jacobian, Real{} + least_scaled_jacobian<Number>());
@@ -117,12 +115,27 @@ public:
       const Real factor = Number(3) * m / squares; // of ⅓ Σ |e_i|²/l_i²
       const Real slope = certain_shape * certainty + excess * (shape + poor_shape * excess),
                  growth = shape + Number(2) * poor_shape * excess;
+      sum += value_of_corner(s, below, excess, certainty);
       d.add(i, frame, corner,
             Corner_quadratic<Real>(corner, Number(1) / s, r, x, z, slope * m, slope * factor, growth, factor, m));
     }
+    return if_positive(lowest, sum + Number(8) * root, Real{} + std::numeric_limits<Number>::infinity());
   }
 
 private:
+  // But for the norm. below: what is lacking of the floor; excess: m − 1.
+  template <class Real>
+  Real value_of_corner(const Real& scaled_jacobian, const Real& below, const Real& excess, const Real& certainty) const
+  {
+    using Number = typename Lane<Real>::type;
+    const Number barrier = Number(parameters_.barrier_weight), half_floor_weight = Number(parameters_.floor_weight / 2),
+                 half_shape = Number(parameters_.shape_weight / 2),
+                 third_poor_shape = Number(parameters_.poor_shape_weight / 3),
+                 certain_shape = Number(parameters_.certain_shape_weight);
+    return excess * (certain_shape * certainty + excess * (half_shape + third_poor_shape * excess)) -
+           barrier * logarithm(scaled_jacobian) + half_floor_weight * below * below;
+  }
+
   // Below this the derivatives are those at it: they would overflow.
   template <class Number>
   static constexpr Number least_scaled_jacobian()

@@ -26,10 +26,10 @@ public:
 
   double value(const Positions& points) const { return first_.value(points) + second_.value(points); }
 
-  void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
-    first_.add_derivatives(points, gradient, matrix);
-    second_.add_derivatives(points, gradient, matrix);
+    const double first = first_.add_derivatives(points, gradient, matrix);
+    return first + second_.add_derivatives(points, gradient, matrix);
   }
 
 private:

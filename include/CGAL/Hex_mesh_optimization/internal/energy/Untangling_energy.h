@@ -51,10 +51,9 @@ struct Regularized_mean_ratio
 
   double value() const { return squares / 3 / std::cbrt(chi * chi); }
 
-  // As that of the mean ratio, with χ in the place of the determinant.
-  Corner_quadratic<double> model(const Corner_frame<double>& corner) const
+  // As that of the mean ratio, with χ in the place of the determinant. m: its value.
+  Corner_quadratic<double> model(const Corner_frame<double>& corner, double m) const
   {
-    const double m = value();
     return Corner_quadratic<double>(corner, chi_slope * volume / chi, r, 0, 0, m, 3 * m / squares, 0, 0, 0);
   }
 };
@@ -99,18 +98,22 @@ public:
     return sum;
   }
 
-  void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
+  double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const
   {
+    double sum = 0;
     Hexahedron_derivatives<double> d;
     for_hexahedra(points, [&](std::size_t h, const Hexahedron_frame<double>& frame, const Edge_ratios<double>& ratios) {
       d.set_zero();
       for (int c = 0; c < 8; ++c) {
         const Corner_frame<double> corner(frame, c);
-        d.add(c, frame, corner,
-              Regularized_mean_ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_).model(corner));
+        const Regularized_mean_ratio ratio(ratios, c, corner.scaled_jacobian, squared_epsilon_);
+        const double m = ratio.value();
+        sum += m;
+        d.add(c, frame, corner, ratio.model(corner, m));
       }
       assembly_.add(h, d, 0, gradient, matrix);
     });
+    return sum;
   }
 
 private:

@@ -29,11 +29,9 @@
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Report.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Pattern_search.h>
-#include <CGAL/Hex_mesh_optimization/internal/maximization/Places_within_bound.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Raising_within_bound.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
-#include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
@@ -187,39 +185,20 @@ private:
     return is_within;
   }
 
-  // The worst hexahedra, one vertex after the other: in a narrow tube Newton's method jams (measured on a CAD part and
-  // an organic model bound to .1 % of their diagonals: the minima are .34 and .31 instead of .32 and .24). Edges that are
-  // short already may stay so.
+  // By search, what maximization has not raised within a bound.
   void raise_within_bound(Positions& points)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
     const double most = (std::min)(parameters_.maximization.floor.hold_limit, parameters_.target_quality);
-    const double minimum = Mesh_quality(mesh_.complex, points).minimum;
-    if (parameters_.boundary_placement == Boundary_placement::ON_SURFACE || minimum >= most)
+    if (parameters_.boundary_placement == Boundary_placement::ON_SURFACE ||
+        Mesh_quality(mesh_.complex, points).minimum >= most)
       return; // maximization has raised what stands exactly
-    Boundary_samples& samples = boundary_samples();
     const Sliding held = sliding(points);
-    Pattern_search_parameters of_search = parameters_.maximization.arrivals.search;
-    of_search.weight_of_average = parameters_.average_of_raised;
-    std::vector<double> lengths = edge_lengths(mesh_.complex, points);
-    for (std::size_t e = 0; e < lengths.size(); ++e)
-      lengths[e] = (std::min)(model_.targets.lengths[e], lengths[e] / of_search.least_edge_of_raised);
-    for (std::size_t i = 0; i < parameters_.most_raises && !control_.check_time(); ++i) {
-      samples.update(points, 1);
-      const Places_within_bound places(*model_.surface, model_.attachment, held, samples, points.size());
-      Positions raised = points;
-      Pattern_search(mesh_.complex, lengths, places, of_search).raise(most, raised);
-      if (Mesh_quality(mesh_.complex, raised).minimum < minimum + parameters_.least_raise)
-        return;
-      if (is_shown_within_bound(raised)) {
-        points = std::move(raised);
-        return;
-      }
-      // it has left the bound between samples
-      samples.update(raised, 1);
-      if (!samples.add_where_beyond(raised))
-        return;
-    }
+    Raising_within_bound(mesh_.complex, model_.targets.lengths, *model_.surface, model_.attachment, held,
+                         boundary_samples(), parameters_.maximization.arrivals.search, parameters_.raising)
+      .raise(
+        most, [this](const Positions& raised) { return is_shown_within_bound(raised); },
+        [this] { return control_.check_time(); }, points);
   }
 
   // Everywhere: samples keep to a little less than the bound, and see nothing between them.

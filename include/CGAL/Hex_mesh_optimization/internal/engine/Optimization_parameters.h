@@ -16,6 +16,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Chosen_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_parameters.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Raising_within_bound.h>
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 
 namespace CGAL::Hex_mesh_optimization {
@@ -27,7 +28,8 @@ struct Optimization_parameters : Chosen_parameters
   Boundary_parameters boundary;
   Untangling_parameters untangling;
   Maximization_parameters maximization;
-  Certification_parameters certification; // of the bound of the deviation
+  Raising_parameters raising;             // within a bound of the deviation
+  Certification_parameters certification; // of that
   // Up to this part of the hexahedra, those that are inverted are untangled where they are, before rectification is tried:
   // most of the mesh tells where they should be (measured on eleven models, of which up to 1.6 % are inverted: maximum
   // deviations of 1.1e-2 and 6.2e-3 of the diagonal become 6.4e-3 and 4.9e-3; where all vertices were scrambled or a part
@@ -36,11 +38,6 @@ struct Optimization_parameters : Chosen_parameters
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
-  // Within a bound the worst are raised by search, where it leads out of the bound between samples up to so often, if so
-  // much is gained; the average counts so much.
-  std::size_t most_raises = 6;
-  double least_raise = .002;
-  double average_of_raised = .001;
   // A mesh that was brought to a reference and whose minimum is above this has quality to spare for the largest deviation:
   // it is bound to the part of what it is, so often, as long as the minimum stays above and the average loses no more
   // than that. sin 120° = .866 is the most where three faces meet on a smooth surface, so that hardly any mesh of an

@@ -74,8 +74,10 @@ struct Pattern_search_parameters
 // Places is a class with
 //   std::vector<int> movable_with(int v) const,
 //     the vertices that move where v goes, v the first of them; none if it stays, or goes with another,
-//   Vector_3 reached(int v, const Vector_3& from, const Vector_3& to) const,
-//     where v comes to if it is to go from one place to the other, and
+//   Departure departure(int v, const Vector_3& from) const,
+//     what is to be known of the place that v goes from,
+//   Vector_3 reached(int v, const Departure& departure, const Vector_3& to) const,
+//     where v comes to if it is to go from there to another place, and
 //   bool allows(const std::vector<int>& vertices, const Positions& points) const,
 //     whether these vertices, of all points, may stand where they are.
 template <class Places>
@@ -140,6 +142,7 @@ private:
 
   // Those that are tied go together.
   using Groups = std::vector<std::vector<int>>;
+  using Departures = std::vector<typename Places::Departure>; // of the first vertices of groups
 
   struct Before
   {
@@ -204,7 +207,7 @@ private:
       std::vector<int> vertices, edges;
       double sum = 0;
       for (const auto& [h, before] : before_) {
-        const double lacking = lack(h, level, 0, points, std::numeric_limits<double>::infinity());
+        const double lacking = lack_of_shape(h, level, 0, points) + lack_of_validity(h, points);
         sum += lacking;
         if (lacking > 0) {
           vertices.insert(vertices.end(), complex_.hexahedra[h].begin(), complex_.hexahedra[h].end());
@@ -257,29 +260,39 @@ private:
   {
     if (std::any_of(groups.begin(), groups.end(), [](const std::vector<int>& group) { return group.empty(); }))
       return;
-    const double any = std::numeric_limits<double>::infinity();
-    if (!(lack_around(groups, level, 0, points, any) > 0))
+    using Limits = std::numeric_limits<double>;
+    if (!(lack_around(groups, level, 0, points, (Limits::min)()) > 0))
       return;
-    double least = lack_around(groups, level, parameters_.weight_of_average, points, any);
+    double least = lack_around(groups, level, parameters_.weight_of_average, points, Limits::infinity());
     const double length = mean_edge_around(groups.front().front(), points);
     const bool is_careful = order_ == Order::SMALL_STEPS_FIRST;
+    Departures departures = departures_of(groups, points);
     for (int i = 0; i <= parameters_.halvings; ++i) {
       const double distance = parameters_.largest_step * length /
                               double(1 << (is_careful ? parameters_.halvings - i : i));
-      const Vector_3 way = best_way(groups, directions, distance, level, points, least);
+      const Vector_3 way = best_way(groups, departures, directions, distance, level, points, least);
       if (way == Vector_3::Zero())
         continue;
       for (const std::vector<int>& group : groups)
         remember(group, points);
-      go(groups, way, points);
+      go(groups, departures, way, points);
       if (is_careful)
         return;
+      departures = departures_of(groups, points);
     }
   }
 
+  Departures departures_of(const Groups& groups, const Positions& points) const
+  {
+    Departures result;
+    for (const std::vector<int>& group : groups)
+      result.push_back(places_.departure(group.front(), points[group.front()]));
+    return result;
+  }
+
   // Of the distance; zero if none is better. least: of what is lacking, up to now.
-  Vector_3 best_way(const Groups& groups, const std::vector<Vector_3>& directions, double distance, double level,
-                    Positions& points, double& least) const
+  Vector_3 best_way(const Groups& groups, const Departures& departures, const std::vector<Vector_3>& directions,
+                    double distance, double level, Positions& points, double& least) const
   {
     std::vector<std::pair<int, Vector_3>> starts;
     std::vector<int> vertices;
@@ -291,7 +304,7 @@ private:
     Vector_3 result = Vector_3::Zero();
     for (const Vector_3& direction : directions) {
       const Vector_3 way = distance * direction;
-      go(groups, way, points);
+      go(groups, departures, way, points);
       const double most = (1 - parameters_.gain) * least,
                    lacking = lack_around(groups, level, parameters_.weight_of_average, points, most);
       if (lacking < most && places_.allows(vertices, points)) {
@@ -305,49 +318,54 @@ private:
   }
 
   // Along the way, each group as its first vertex may.
-  void go(const Groups& groups, const Vector_3& way, Positions& points) const
+  void go(const Groups& groups, const Departures& departures, const Vector_3& way, Positions& points) const
   {
-    for (const std::vector<int>& group : groups) {
-      const Vector_3 start = points[group.front()], place = places_.reached(group.front(), start, start + way);
-      for (int v : group)
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const int first = groups[g].front();
+      const Vector_3 start = points[first], place = places_.reached(first, departures[g], start + way);
+      for (int v : groups[g])
         points[v] += place - start;
-      points[group.front()] = place;
+      points[first] = place;
     }
   }
 
-  // More than most need not be told apart.
+  // What more than most is, need not be told apart: whether hexahedra are valid takes the longest to tell.
   double lack_around(const Groups& groups, double level, double weight_of_average, const Positions& points,
                      double most) const
   {
     double sum = 0;
-    for (const std::vector<int>& group : groups)
-      for (int v : group)
-        for (int h : complex_.vertex_hexahedra[v]) {
-          if (!(sum < most))
-            return sum;
-          sum += lack(h, level, weight_of_average, points, most - sum);
-        }
+    const auto add_around = [&](const auto& lack) {
+      for (const std::vector<int>& group : groups)
+        for (int v : group)
+          for (int h : complex_.vertex_hexahedra[v])
+            if (sum < most)
+              sum += lack(h);
+    };
+    add_around([&](int h) { return lack_of_shape(h, level, weight_of_average, points); });
+    add_around([&](int h) { return lack_of_validity(h, points); });
     return sum;
   }
 
   // The sum of the squares of what corners lack of the level, and edges of their length, and what corners lack of 1, times
-  // the weight. More than most need not be told apart: whether it is valid takes the longest to tell.
-  double lack(int h, double level, double weight_of_average, const Positions& points, double most) const
+  // the weight.
+  double lack_of_shape(int h, double level, double weight_of_average, const Positions& points) const
   {
     const auto squared = [](double x) { return x * x; };
-    const Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
     double sum = 0;
-    bool is_inverted = false;
-    for (double s : scaled_jacobians_of_corners(x)) {
+    for (double s : scaled_jacobians_of_corners(hexahedron_coordinates(points, complex_.hexahedra[h])))
       sum += squared((std::max)(0.0, level - s)) + weight_of_average * (1 - s);
-      is_inverted = is_inverted || !(s > 0);
-    }
     const double least = order_ == Order::SMALL_STEPS_FIRST ? parameters_.least_edge_of_raised : parameters_.least_edge;
     for (int directed : complex_.hexahedron_edges[h])
       sum += squared((std::max)(0.0, 1 - length(directed / 2, points) / (least * lengths_[directed / 2])));
-    if (sum < most && (is_inverted || hexahedron_validity(x) != Validity::VALID))
-      sum += parameters_.lack_of_invalid + parameters_.lack_of_negative * part_below_zero(x);
     return sum;
+  }
+
+  double lack_of_validity(int h, const Positions& points) const
+  {
+    const Hexahedron_coordinates x = hexahedron_coordinates(points, complex_.hexahedra[h]);
+    return hexahedron_validity(x) == Validity::VALID
+             ? 0
+             : parameters_.lack_of_invalid + parameters_.lack_of_negative * part_below_zero(x);
   }
 
   // Of the Jacobian determinant, as its coefficients have it, from 0 to 1: what leads back to where it is positive.

@@ -43,18 +43,32 @@ public:
 
   std::vector<int> movable_with(int v) const { return sliding_.movable_with(v); }
 
+  struct Departure
+  {
+    Vector_3 from, way;                        // to `from`, from the closest point of the curve or the surface
+    std::size_t hint = Surface_point::no_hint; // of that
+  };
+
+  Departure departure(int v, const Vector_3& from) const
+  {
+    if (attachment_.kind[v] == Vertex_kind::FEATURE)
+      return {from, from - on_curve(v, from)};
+    if (attachment_.kind[v] != Vertex_kind::SURFACE)
+      return {from, Vector_3::Zero()};
+    const Surface_point foot = on_surface(v, from, Surface_point::no_hint);
+    return {from, from - foot.point, foot.hint};
+  }
+
   // Along its curve or the surface, and as far from it as before: steps in other directions soon leave the bound.
-  Vector_3 reached(int v, const Vector_3& from, const Vector_3& to) const
+  Vector_3 reached(int v, const Departure& departure, const Vector_3& to) const
   {
     switch (attachment_.kind[v]) {
     case Vertex_kind::FEATURE:
-      return from + on_curve(v, to) - on_curve(v, from);
-    case Vertex_kind::SURFACE: {
-      const Surface_point foot = on_surface(v, from, Surface_point::no_hint);
-      return from + on_surface(v, to, foot.hint).point - foot.point;
-    }
+      return on_curve(v, to) + departure.way;
+    case Vertex_kind::SURFACE:
+      return on_surface(v, to, departure.hint).point + departure.way;
     default:
-      return sliding_.reached(v, from, to);
+      return sliding_.reached(v, departure.from, to);
     }
   }
 

@@ -60,20 +60,21 @@ Hexahedron_coordinates hexahedron_coordinates(const PointRange& points, const He
   return result;
 }
 
+// Small, and called so often that compilers are to inline them: hence the word, which templates do not need.
 template <class NT>
-Coordinates<NT> difference(const Coordinates<NT>& a, const Coordinates<NT>& b)
+inline Coordinates<NT> difference(const Coordinates<NT>& a, const Coordinates<NT>& b)
 {
   return {{NT(a[0] - b[0]), NT(a[1] - b[1]), NT(a[2] - b[2])}};
 }
 
 template <class NT>
-Coordinates<NT> cross_product(const Coordinates<NT>& a, const Coordinates<NT>& b)
+inline Coordinates<NT> cross_product(const Coordinates<NT>& a, const Coordinates<NT>& b)
 {
   return {{NT(a[1] * b[2] - a[2] * b[1]), NT(a[2] * b[0] - a[0] * b[2]), NT(a[0] * b[1] - a[1] * b[0])}};
 }
 
 template <class NT>
-NT scalar_product(const Coordinates<NT>& a, const Coordinates<NT>& b)
+inline NT scalar_product(const Coordinates<NT>& a, const Coordinates<NT>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

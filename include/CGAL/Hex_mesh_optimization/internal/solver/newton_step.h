@@ -49,8 +49,8 @@ inline bool stop_at_kinks(const Positions& points, const Positions& reached, dou
 // An energy is a class with
 //   double value(const Positions& points) const,
 //     which may be infinite where the energy is not defined, and
-//   void add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
-//     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite.
+//   double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
+//     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite, and returns its value.
 //
 // Moves the points, each within its freedom; freedoms_under(forces), the negative gradient, gives those of all points.
 // restrict_step(direction) may shorten the steps of single points; retract(points) takes those that slide on something
@@ -61,7 +61,7 @@ double newton_step(const Energy& energy, const Freedoms_under& freedoms_under, c
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
-  energy.add_derivatives(points, gradient, matrix);
+  const double start = energy.add_derivatives(points, gradient, matrix);
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
   matrix.solve(gradient, freedoms_under(gradient), parameters.tolerance, parameters.iterations, direction);
   for_each(points.size(), [&](std::size_t v) { direction[v] *= parameters.relaxation; });
@@ -75,7 +75,6 @@ double newton_step(const Energy& energy, const Freedoms_under& freedoms_under, c
     });
   };
   double slope = slope_of_direction();
-  const double start = energy.value(points);
   Positions trial(points.size());
   double t = 1;
   for (int i = 1; i <= parameters.line_search_steps; ++i) {

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is raised within a bound stays within it, or nothing is kept.
+
+#include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Raising_within_bound.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
+
+#include "Bounded_mesh.h"
+
+#include "../mesh_families.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace {
+
+using namespace CGAL::Hex_mesh_optimization::internal;
+
+// Its faces are so oblique that its corners are poor, and that samples see little of what vertices do to them.
+Indexed_mesh sheared(Indexed_mesh mesh)
+{
+  for (Indexed_mesh::Point& p : mesh.points)
+    p = Indexed_mesh::Point(p.x() + 2 * p.z(), p.y(), p.z());
+  return mesh;
+}
+
+struct Raised_mesh : Bounded_mesh
+{
+  const double bound;
+  std::size_t certificates = 0, within = 0;
+
+  Raised_mesh(const Indexed_mesh& mesh, double bound) : Bounded_mesh(mesh, bound), bound(bound) {}
+
+  bool is_within(const Positions& at) const
+  {
+    return certified_deviation(faces, at, *surface, bound, Certification_parameters()).is_shown;
+  }
+
+  template <class IsWithin>
+  void raise(const IsWithin& accepts, std::size_t most_searches)
+  {
+    Raising_parameters parameters;
+    parameters.most_searches = most_searches;
+    Raising_within_bound(complex, lengths, *surface, attachment, its_sliding, its_samples, Pattern_search_parameters(),
+                         parameters)
+      .raise(
+        .6, [&](const Positions& at) { return accepts(at); }, [] { return false; }, points);
+  }
+};
+
+class Raising_within_bound_of_families : public ::testing::TestWithParam<Mesh_family>
+{};
+
+INSTANTIATE_TEST_SUITE_P(Families, Raising_within_bound_of_families, ::testing::ValuesIn(mesh_families()),
+                         Family_name());
+
+TEST_P(Raising_within_bound_of_families, keeps_what_is_within)
+{
+  Raised_mesh s(sheared(GetParam()()), .1);
+  const Mesh_quality before(s.complex, s.points);
+  ASSERT_EQ(before.invalid, 0u);
+  ASSERT_TRUE(s.is_within(s.points));
+  std::size_t asked = 0, accepted = 0;
+  s.raise(
+    [&](const Positions& at) {
+      ++asked;
+      const bool is_within = s.is_within(at);
+      accepted += is_within;
+      return is_within;
+    },
+    2);
+  const Mesh_quality after(s.complex, s.points);
+  EXPECT_TRUE(s.is_within(s.points));
+  EXPECT_EQ(after.invalid, 0u);
+  EXPECT_GE(after.minimum, before.minimum);
+  if (accepted > 0) {
+    EXPECT_GE(after.minimum, before.minimum + Raising_parameters().least_gain);
+  }
+  std::cerr << GetParam().name << " " << before.minimum << " " << after.minimum << " " << asked << " " << accepted
+            << "\n";
+}
+
+TEST_P(Raising_within_bound_of_families, keeps_nothing_that_is_not_shown_to_be_within)
+{
+  Raised_mesh s(sheared(GetParam()()), .1);
+  const Positions before = s.points;
+  s.raise([](const Positions&) { return false; }, 1);
+  EXPECT_EQ(s.points, before);
+}
+
+} // namespace
