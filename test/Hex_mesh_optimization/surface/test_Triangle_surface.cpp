@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <set>
@@ -28,7 +29,16 @@ TEST(Triangle_surface, has_no_closer_point_than_the_closest)
   std::uniform_real_distribution<double> uniform(-1, 4);
   for (int trial = 0; trial < 200; ++trial) {
     const Vector_3 p(uniform(random), uniform(random), uniform(random));
-    const Vector_3 closest = surface.closest_point(p).point;
+    const Surface_point foot = surface.closest_point(p);
+    const Vector_3 closest = foot.point;
+    for (std::size_t t = 0; t < cube.triangles.size(); ++t) {
+      const Surface_point found = surface.closest_point_near(p, t);
+      EXPECT_NEAR((found.point - p).norm(), (closest - p).norm(), 1e-12) << t;
+      const Surface_point of_same = closest_point_of_triangle(p, found.triangle, surface.points, surface.triangles);
+      EXPECT_EQ(found.point, of_same.point) << t;
+    }
+    const double longest = std::sqrt(2.); // edge of all triangles
+    EXPECT_EQ(surface.is_near(p, foot), (p - closest).norm() < longest);
     const auto none = surface.closer_point(p, closest);
     EXPECT_TRUE(!none || (none->point - p).norm() > (closest - p).norm() - 1e-12);
     const auto other = surface.closer_point(p, closest + 1.5 * (closest - p) + Vector_3(1e-3, 0, 0));

@@ -67,10 +67,18 @@ inline void extend_deviations(const Triangle_surface& from, const Triangle_surfa
     samples.size(),
     [&](std::size_t begin, std::size_t end) {
       Of_sheets part(from.number_of_sheets());
-      std::size_t hint = Surface_point::no_hint; // the next sample is not far
+      Surface_point foot{};
+      int sheet = -1; // for which it was found
+      std::size_t hint = Surface_point::no_hint;
       for (std::size_t i = begin; i < end; ++i) {
-        const Surface_point foot = to.closest_point(samples[i].point, hint, samples[i].sheet);
-        hint = foot.hint;
+        // the next sample is not far
+        if (samples[i].sheet == sheet && to.is_near(samples[i].point, foot))
+          foot = to.closest_point_near(samples[i].point, foot.triangle);
+        else {
+          foot = to.closest_point(samples[i].point, hint, samples[i].sheet);
+          hint = foot.hint;
+        }
+        sheet = samples[i].sheet;
         const double distance = to.way(samples[i].point, foot).norm();
         part[samples[i].sheet].add({samples[i].area * distance, samples[i].area, distance});
       }

@@ -21,12 +21,14 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Surface_point.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/aabb.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/closest_point_of_triangle.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -95,6 +97,34 @@ public:
                                            soup_.begin() + hint})
                                    : s.tree->closest_point_and_primitive(q);
     return surface_point(found);
+  }
+
+  // Whether a point is no farther from its foot, or from that of another query, than the triangle there is long.
+  bool is_near(const Vector_3& query, const Surface_point& foot) const
+  {
+    const Vector_3 &a = corner(foot.triangle, 0), &b = corner(foot.triangle, 1), &c = corner(foot.triangle, 2);
+    return (query - foot.point).squaredNorm() <
+           (std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  }
+
+  // In the sheet of a triangle with an area. It takes a third of the time where the triangle is_near(): a box of the size of
+  // the distance holds few others.
+  Surface_point closest_point_near(const Vector_3& query, std::size_t triangle) const
+  {
+    Surface_point best = closest_point_of_triangle(query, triangle, points, triangles);
+    double least = (best.point - query).squaredNorm();
+    for_triangles_near(
+      query, std::sqrt(least),
+      [&](std::size_t t) {
+        const Surface_point candidate = closest_point_of_triangle(query, t, points, triangles);
+        const double square = (candidate.point - query).squaredNorm();
+        if (square < least) {
+          least = square;
+          best = candidate;
+        }
+      },
+      this->sheet(triangle));
+    return best;
   }
 
   // The point of a sheet closest to the query, if it is closer than the given one.
