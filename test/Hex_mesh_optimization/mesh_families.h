@@ -92,6 +92,13 @@ struct Family_name
   }
 };
 
+inline Indexed_mesh sheared(Indexed_mesh mesh, double slope)
+{
+  for (Indexed_mesh::Point& p : mesh.points)
+    p = Indexed_mesh::Point(p.x() + slope * p.z(), p.y(), p.z());
+  return mesh;
+}
+
 inline CGAL::Hex_mesh_optimization::internal::Positions positions(const Indexed_mesh& mesh)
 {
   CGAL::Hex_mesh_optimization::internal::Positions points;
