@@ -32,6 +32,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Raising_within_bound.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
@@ -83,6 +84,8 @@ public:
     }
     if (is_full && boundary_samples().is_bounded_everywhere() && come_within_bound(reached))
       raise_within_bound(reached.points);
+    if (is_full && is_left_as_it_was(reached.points) && !control_.is_stopped())
+      try_unprotected(reached);
 
     if (is_full && may_spend_quality())
       spend_spare_quality(reached);
@@ -193,12 +196,45 @@ private:
     if (parameters_.boundary_placement == Boundary_placement::ON_SURFACE ||
         Mesh_quality(mesh_.complex, points).minimum >= most)
       return; // maximization has raised what stands exactly
+    raise(points, most, [this](const Positions& raised) { return is_shown_within_bound(raised); });
+  }
+
+  template <class IsWithin>
+  void raise(Positions& points, double limit, const IsWithin& is_within)
+  {
     const Sliding held = sliding(points);
     Raising_within_bound(mesh_.complex, model_.targets.lengths, *model_.surface, model_.attachment, held,
                          boundary_samples(), parameters_.maximization.arrivals.search, parameters_.raising)
       .raise(
-        most, [this](const Positions& raised) { return is_shown_within_bound(raised); },
-        [this] { return control_.check_time(); }, points);
+        limit, is_within, [this] { return control_.check_time(); }, points);
+  }
+
+  // Whether nothing was found, though there is much to gain.
+  bool is_left_as_it_was(const Positions& points)
+  {
+    return points == model_.points && !boundary_samples().is_bounded_everywhere() &&
+           parameters_.boundary_placement != Boundary_placement::ON_SURFACE && standing_of(points).is_good() &&
+           Mesh_quality(mesh_.complex, points).minimum <
+             (std::min)(parameters_.maximization.floor.hold_limit, parameters_.target_quality);
+  }
+
+  // A minimum that may not fall for a time can keep all from rising; search raises what has fallen behind at the end.
+  void try_unprotected(Reached& reached)
+  {
+    const Mesh_quality before(mesh_.complex, reached.points);
+    const Standing standing = standing_of(reached.points);
+    Reached other = reached;
+    other.end = maximize(other.points, Protection::NONE);
+    const auto is_standing = [&](const Positions& points) { return !(standing < standing_of(points)); };
+    const double gain = parameters_.least_gain_of_unprotected;
+    if (Mesh_quality(mesh_.complex, other.points).minimum < before.minimum) {
+      const Timer timer(control_, report_.status.maximization_seconds);
+      raise(other.points, before.minimum + gain, is_standing);
+    }
+    const Mesh_quality after(mesh_.complex, other.points);
+    if (is_standing(other.points) && after.minimum >= before.minimum &&
+        (std::max)(after.minimum - before.minimum, after.average - before.average) >= gain)
+      reached = std::move(other);
   }
 
   // Everywhere: samples keep to a little less than the bound, and see nothing between them.
@@ -372,13 +408,13 @@ private:
       .run(points, control_, attempt);
   }
 
-  Stage_end maximize(Positions& points)
+  Stage_end maximize(Positions& points, Protection protection = Protection::OF_WHAT_IS_GOOD)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
     return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.targets, model_.relations,
                                 held, parameters_.maximization)
-      .run(points, control_, parameters_.target_quality);
+      .run(points, control_, parameters_.target_quality, protection);
   }
 
   Sliding sliding(const Positions& points) const

@@ -86,7 +86,8 @@ public:
 
   // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
   // Does nothing if a hexahedron is inverted.
-  Stage_end run(Positions& points, Run_control& control, double target_quality)
+  Stage_end run(Positions& points, Run_control& control, double target_quality,
+                Protection protection = Protection::OF_WHAT_IS_GOOD)
   {
     Mesh_quality quality(complex_, points);
     if (quality.inverted > 0)
@@ -100,7 +101,7 @@ public:
     };
     if (is_target_reached())
       return Stage_end::CONVERGED;
-    Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.away(points));
+    Best_state best(points, quality, 1, parameters_.accepted_loss, excess, 1, sliding_.away(points), protection);
     // what stands exactly on curves and faces may leave them for a time, unless it would be worse off for good
     if (!best.is_protected())
       sliding_.let_go();

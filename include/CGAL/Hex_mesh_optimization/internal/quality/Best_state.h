@@ -25,20 +25,23 @@ namespace CGAL::Hex_mesh_optimization::internal {
 //   1. their standings,
 //   2. how loosely the boundary is attached, where the stage varies that,
 //   3. the later one, unless its minimum falls behind the highest of those states by more than is accepted.
-// And a mesh that came in valid, with its boundary where it is to be, never gets a lower minimum.
+// And a mesh that came in valid, with its boundary where it is to be, never gets a lower minimum, unless it is unprotected.
+enum class Protection { OF_WHAT_IS_GOOD, NONE };
+
 class Best_state
 {
 public:
   // Accepted is a minimum down to part · highest − loss. excess and away: as in Standing. looseness: the greater, the
   // looser.
   Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss,
-             double excess = 0, double looseness = 0, const Away& away = Away())
+             double excess = 0, double looseness = 0, const Away& away = Away(),
+             Protection protection = Protection::OF_WHAT_IS_GOOD)
     : points_(points)
     , standing_{quality.inverted, quality.invalid, excess, away}
     , looseness_(looseness)
     , minimum_(quality.minimum)
     , highest_minimum_(quality.minimum)
-    , least_minimum_(standing_.is_good() ? quality.minimum : -1)
+    , least_minimum_(protection == Protection::OF_WHAT_IS_GOOD && standing_.is_good() ? quality.minimum : -1)
     , accepted_part_(accepted_part)
     , accepted_loss_(accepted_loss)
   {}
@@ -78,7 +81,7 @@ public:
   double minimum() const { return minimum_; }
   // Of the states that differ in the minimum only.
   double highest_minimum() const { return highest_minimum_; }
-  // That a mesh that came in good keeps, and -1 for one that did not.
+  // That a mesh that came in good keeps, and -1 for one that did not, or is unprotected.
   double least_minimum() const { return least_minimum_; }
   bool is_protected() const { return least_minimum_ >= 0; }
 
