@@ -553,6 +553,19 @@ TEST(Optimize_hex_mesh_deviation, is_measured_from_a_separate_reference)
   EXPECT_GT(status.deviation.average, 0);
 }
 
+// A way on which the minimum never falls leads nowhere here
+TEST(Optimize_hex_mesh_sheared, gains_though_all_corners_are_as_poor_as_the_worst)
+{
+  Indexed_mesh mesh;
+  HMO::make_cylinder(mesh.points, mesh.hexahedra, 9, 6);
+  mesh = sheared(mesh, 2);
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra);
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_LT(status.before.average, .45);
+  EXPECT_GT(status.after.average, .8);
+  EXPECT_GE(status.after.minimum, status.before.minimum);
+}
+
 // Whose quality would gain from a boundary that leaves the surface
 TEST_P(Optimize_hex_mesh, keeps_within_a_bound_of_the_deviation)
 {

@@ -65,6 +65,17 @@ TEST(Best_state, gives_way_to_others_once_it_turns_out_to_exceed)
   EXPECT_EQ(best(b), 2) << "what came in good keeps its minimum";
 }
 
+TEST(Best_state, gives_up_a_minimum_that_is_not_protected)
+{
+  for (Protection protection : {Protection::OF_WHAT_IS_GOOD, Protection::NONE}) {
+    const bool is_protected = protection == Protection::OF_WHAT_IS_GOOD;
+    Best_state b(state(0), quality(0, 0, .9), 1, 0, 0, .5, Away(), protection);
+    EXPECT_EQ(b.is_protected(), is_protected);
+    b.offer(state(1), quality(0, 0, .8), 0, .4);
+    EXPECT_EQ(best(b), is_protected ? 0 : 1);
+  }
+}
+
 TEST(Best_state, of_equals_is_the_latest_that_does_not_fall_behind_the_highest)
 {
   Best_state b(state(0), quality(0, 1, .5), 1, .01);
