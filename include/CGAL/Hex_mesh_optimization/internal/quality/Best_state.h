@@ -21,13 +21,14 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
+// Of the minimum of a mesh that came in good.
+enum class Protection { OF_WHAT_IS_GOOD, NONE };
+
 // The first of these that differs decides which of two states is better:
 //   1. their standings,
 //   2. how loosely the boundary is attached, where the stage varies that,
 //   3. the later one, unless its minimum falls behind the highest of those states by more than is accepted.
 // And a mesh that came in valid, with its boundary where it is to be, never gets a lower minimum, unless it is unprotected.
-enum class Protection { OF_WHAT_IS_GOOD, NONE };
-
 class Best_state
 {
 public:
