@@ -132,7 +132,7 @@ Mesh read_input(const Options& options)
 Mesh merged(const Mesh& mesh)
 {
   Mesh result = mesh;
-  result.merged_into = HMO::coincident_vertices(mesh.points, mesh.hexahedra);
+  result.merged_into = HMO::coincident_vertices(mesh.points, mesh.hexahedra, 1e-4); // files round
   for (auto& h : result.hexahedra)
     for (std::size_t& v : h)
       v = result.merged_into[v];

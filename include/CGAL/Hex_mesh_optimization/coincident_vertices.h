@@ -36,12 +36,17 @@ namespace CGAL::Hex_mesh_optimization {
  * vertices of their own, would part when they are optimized. To merge them, replace each index in `hexahedra` by what
  * is returned for it.
  *
- * Two faces coincide if their corners are in the same four different places, exactly. Vertices that are in one place
+ * Two faces coincide if their corners are in the same four different places. Vertices that are in one place
  * without a face in common are not merged: a hexahedron may have collapsed there.
  *
  * \tparam PointRange a model of `RandomAccessContainer` whose value type is a model of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight indices of an
  *         integral type
+ *
+ * \param points the positions of the vertices
+ * \param hexahedra the indices of their vertices
+ * \param tolerance how far places may be apart that are the same, as a part of the shortest edge at either of the
+ *        vertices: 0 for equal coordinates, 1e-4 for those that were rounded
  *
  * \return for each vertex the smallest index among those that it coincides with, mostly its own
  *
@@ -51,7 +56,8 @@ namespace CGAL::Hex_mesh_optimization {
  * Complexity: \f$ O(n \log n) \f$.
  */
 template <class PointRange, class HexahedronRange>
-std::vector<std::size_t> coincident_vertices(const PointRange& points, const HexahedronRange& hexahedra)
+std::vector<std::size_t> coincident_vertices(const PointRange& points, const HexahedronRange& hexahedra,
+                                             double tolerance = 0)
 {
   if (points.size() > std::size_t((std::numeric_limits<int>::max)()) / 8 ||
       hexahedra.size() > std::size_t((std::numeric_limits<int>::max)()) / 24)
@@ -81,7 +87,7 @@ std::vector<std::size_t> coincident_vertices(const PointRange& points, const Hex
                         "hexahedron " + std::to_string(cells.size()) + " does not have eight vertices that exist");
     cells.push_back(cell);
   }
-  const std::vector<int> result = internal::coincident_vertices(positions, internal::Face_neighbors(cells));
+  const std::vector<int> result = internal::coincident_vertices(positions, internal::Face_neighbors(cells), tolerance);
   return std::vector<std::size_t>(result.begin(), result.end());
 }
 

@@ -32,10 +32,12 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <fstream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +60,36 @@ inline Mesh_file_content read_content(const std::string& filename, const std::st
     filename, 0, "the format is unknown: the name must end in .off, .obj, .stl, .ply, .mesh, .vtk or .vtu");
 }
 
+// The polygons of a mesh file that are no faces between two of its hexahedra: its surface. If there are none, the faces of
+// one hexahedron.
+inline std::vector<std::vector<std::size_t>> outer_polygons(const Mesh_file_content& content)
+{
+  std::map<std::vector<std::size_t>, std::pair<int, std::vector<std::size_t>>> faces; // hexahedra, vertices in order
+  const auto sorted = [](std::vector<std::size_t> polygon) {
+    std::sort(polygon.begin(), polygon.end());
+    return polygon;
+  };
+  constexpr int sides[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  for (const std::array<std::size_t, 8>& h : content.hexahedra)
+    for (const int(&side)[4] : sides) {
+      std::vector<std::size_t> face{h[side[0]], h[side[1]], h[side[2]], h[side[3]]};
+      auto& [count, vertices] = faces[sorted(face)];
+      ++count;
+      vertices = std::move(face);
+    }
+  std::vector<std::vector<std::size_t>> result;
+  for (const std::vector<std::size_t>& polygon : content.polygons) {
+    const auto face = faces.find(sorted(polygon));
+    if (face == faces.end() || face->second.first == 1)
+      result.push_back(polygon);
+  }
+  if (result.empty())
+    for (const auto& [key, face] : faces)
+      if (face.first == 1)
+        result.push_back(face.second);
+  return result;
+}
+
 template <class Point>
 void read_polygons(const std::string& filename, std::vector<Point>& points,
                    std::vector<std::vector<std::size_t>>& polygons)
@@ -66,7 +98,7 @@ void read_polygons(const std::string& filename, std::vector<Point>& points,
   if (extension != "obj" && extension != "stl") {
     Mesh_file_content content = read_content(filename, extension);
     copy_points(content.points, points);
-    polygons = std::move(content.polygons);
+    polygons = outer_polygons(content);
     return;
   }
   if (!std::ifstream(filename))
@@ -92,6 +124,9 @@ namespace CGAL::IO {
  * reads a surface from a file in the format told by the extension of its name, in upper or lower case: `.off`, `.obj`,
  * `.stl`, `.ply`, or the triangles and quadrilaterals of a `.mesh`, `.vtk` (unstructured grid or polygonal data) or
  * `.vtu` file.
+ *
+ * Of a file with hexahedra, faces between two of them are no part of its surface; if there are no others, it is the faces of
+ * one hexahedron each.
  *
  * Polygons are triangulated and oriented consistently; where more than two meet in an edge, or several sheets in a
  * vertex, the surface is taken apart. Equal points are merged for `.stl` only, the format that has no other

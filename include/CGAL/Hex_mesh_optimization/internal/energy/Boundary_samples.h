@@ -111,9 +111,9 @@ struct Boundary_sample_parameters
   double most_growth = 1.2;
   // Further samples, on a lattice of so many parts along an edge, weigh so much; those of the reference are nearer by
   // the factor.
-  int parts = 4;
+  int parts = 3;
   double further_weight = .1;
-  double reference_refinement = .5;
+  double reference_refinement = .7;
   // What a sample at a place that was found beyond the bound weighs, and the area that it stands for on the reference.
   double weight_beyond = .1;
   double area_beyond = .05;

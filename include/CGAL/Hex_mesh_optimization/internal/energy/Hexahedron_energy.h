@@ -31,6 +31,8 @@ struct Hexahedron_energy_parameters
   double barrier_weight = .005;
   // ρ, the weight of the exterior floor. Stronger than an attachment at any distance, so that it wins.
   double floor_weight = 2000;
+  // w: if it is positive, ρ weighs an interior barrier of this width instead, which is infinite w below the floor.
+  double interior_width = 0;
   // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of
   // edge ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it
   // (measured).
@@ -44,7 +46,8 @@ struct Hexahedron_energy_parameters
 
 // Over the corners of a hexahedron with scaled Jacobians s:
 //   8 (⅛ Σ (1 − s + δ)^8)^⅛ − ν Σ log s + ρ/2 Σ max(0, τ − s)² + Σ (λ c (m − 1) + κ/2 (m − 1)² + κ'/3 (m − 1)³),
-// infinite where s ≤ 0. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l,
+// infinite where s ≤ 0. With an interior barrier, ρ b² / (w − b) with b = max(0, τ − s) stands for the term of the floor: it
+// vanishes with its slope at τ, and is infinite from τ − w on. The first term is 8 (1 − min s), smoothed. m is the mean ratio for target lengths l,
 // of certainty c: 0 to 1, or more for lengths to be kept the more closely.
 class Hexahedron_energy
 {
@@ -98,8 +101,9 @@ public:
       const Real base = Number(1) - s + offset, below = larger(Real{}, floor[i] - s),
                  sixth = outer * base * base * power_4(base);
       // s f'(s) and s² f''(s)
-      const Real f1 = -s * (sixth * base + floor_weight * below) - barrier;
-      const Real f2 = s * s * (Number(7) * sixth + if_positive(below, Real{} + floor_weight, Real{})) + barrier;
+      const Floor_term<Real> of_floor(below, floor_weight, Number(parameters_.interior_width));
+      const Real f1 = -s * (sixth * base + of_floor.slope) - barrier;
+      const Real f2 = s * s * (Number(7) * sixth + of_floor.curvature) + barrier;
 
       // With the lengths frozen at their values, s^-⅔ is the mean ratio q of the corner, whose gradient there is that
       // of s^-⅔ exactly, and whose Hessian without the second derivative of the determinant is positive definite. Along
@@ -123,17 +127,50 @@ public:
   }
 
 private:
+  // The term of the floor over b, what a corner lacks of it: ρ/2 b², or with an interior barrier of width w ρ b² / (w − b).
+  template <class Real>
+  struct Floor_term
+  {
+    using Number = typename Lane<Real>::type;
+    Real slope, curvature;
+
+    Floor_term(const Real& below, Number weight, Number width)
+    {
+      if (!(width > 0)) {
+        slope = weight * below;
+        curvature = if_positive(below, Real{} + weight, Real{});
+        return;
+      }
+      const Real part = width / larger(width - below, Real{} + least_gap(width)); // w / (w − b)
+      slope = weight * (part * part - Number(1));
+      curvature = if_positive(below, Number(2) * weight / width * part * part * part, Real{});
+    }
+
+    static Real value(const Real& below, Number weight, Number width)
+    {
+      if (!(width > 0))
+        return Number(.5) * weight * below * below;
+      const Real gap = width - below;
+      return if_positive(gap, weight * below * below / larger(gap, Real{} + least_gap(width)),
+                         Real{} + std::numeric_limits<Number>::infinity());
+    }
+
+  private:
+    static Number least_gap(Number width) { return Number(1e-4) * width; } // derivatives would overflow
+  };
+
   // But for the norm. below: what is lacking of the floor; excess: m − 1.
   template <class Real>
   Real value_of_corner(const Real& scaled_jacobian, const Real& below, const Real& excess, const Real& certainty) const
   {
     using Number = typename Lane<Real>::type;
-    const Number barrier = Number(parameters_.barrier_weight), half_floor_weight = Number(parameters_.floor_weight / 2),
+    const Number barrier = Number(parameters_.barrier_weight), floor_weight = Number(parameters_.floor_weight),
                  half_shape = Number(parameters_.shape_weight / 2),
                  third_poor_shape = Number(parameters_.poor_shape_weight / 3),
                  certain_shape = Number(parameters_.certain_shape_weight);
     return excess * (certain_shape * certainty + excess * (half_shape + third_poor_shape * excess)) -
-           barrier * logarithm(scaled_jacobian) + half_floor_weight * below * below;
+           barrier * logarithm(scaled_jacobian) +
+           Floor_term<Real>::value(below, floor_weight, Number(parameters_.interior_width));
   }
 
   // Below this the derivatives are those at it: they would overflow.

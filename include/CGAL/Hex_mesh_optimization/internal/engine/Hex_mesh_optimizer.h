@@ -29,6 +29,8 @@
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Report.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Interior_point_maximization.h>
+#include <CGAL/Hex_mesh_optimization/internal/maximization/Maximization_problem.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Quality_maximization.h>
 #include <CGAL/Hex_mesh_optimization/internal/maximization/Raising_within_bound.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
@@ -36,13 +38,18 @@
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/harmonic_start.h>
+#include <CGAL/Hex_mesh_optimization/internal/rectification/projected_start.h>
 #include <CGAL/Hex_mesh_optimization/internal/untangling/Untangling.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -65,261 +72,333 @@ public:
     , bound_(parameters_.maximum_deviation / model_.unit)
   {}
 
-  // Optimizes, one stage after the other: here, and in reach(), is all that decides whether one starts, when it has done
-  // enough, and whether it is repeated. positions() are then the best found.
+  // Optimizes, one attempt after the other. positions() are then the best found.
   Status run()
   {
-    const bool is_full = parameters_.method == Method::FULL;
-    // Interfaces cross the whole mesh (measured on a ball in a block: they end .087 edges off from a rectified start, and
-    // .113 edges untangled where they are).
-    const bool has_interface = boundary_samples().is_bounded() && !boundary_samples().is_bounded_everywhere();
-    Reached reached = reach(parameters_.method == Method::RECTIFICATION || (is_full && has_interface) ? Start::RECTIFIED
-                                                                                                      : Start::GIVEN);
-    if (is_full && reached.start == Start::GIVEN && !control_.is_stopped() &&
-        (boundary_samples().is_bounded_everywhere() ? is_held_down(reached.points) : are_some_off(reached.points))) {
-      // what jams on its way from one start may come in from another
-      Reached other = reach(Start::RECTIFIED);
-      if (is_better(other.points, reached.points))
-        reached = std::move(other);
-    }
-    if (is_full && boundary_samples().is_bounded_everywhere() && come_within_bound(reached))
-      raise_within_bound(reached.points);
-    if (is_full && is_left_as_it_was(reached.points) && !control_.is_stopped())
-      try_unprotected(reached);
-
-    if (is_full && may_spend_quality())
-      spend_spare_quality(reached);
-
-    const double excess_before = excess(model_.points), excess_now = excess(reached.points);
-    samples_.reset();
-    report_.certify(model_.in_coordinates(reached.points), excess_before, excess_now);
-    Status& status = report_.status;
-    status.return_code = control_.is_stopped() ? control_.return_code()
-                                               : report_.return_code(reached.end == Stage_end::ITERATION_LIMIT
-                                                                       ? Return_code::ITERATION_LIMIT
-                                                                       : Return_code::CONVERGED);
-    status.iterations = control_.iterations;
-    status.total_seconds = control_.seconds();
-    return status;
+    control_.on_state = [this](const Positions& points, const Mesh_quality& quality) {
+      return incumbent(points, quality);
+    };
+    incumbent(model_.points, Mesh_quality(mesh_.complex, model_.points));
+    Reached best{model_.points, Stage_end::CONVERGED};
+    for (const Attempt& attempt : attempts())
+      if (!control_.check_time() && attempt.is_needed(best)) {
+        Reached reached = attempt.run(best);
+        attach(model_.attachment, false);
+        if (attempt.accepts(reached, best))
+          best = std::move(reached);
+      }
+    if (control_.is_stopped() && is_better(incumbent_.points, best.points))
+      best.points = incumbent_.points;
+    return finish(best);
   }
 
   // In the coordinates and the order of the input.
   Positions positions() const { return mesh_.order.as_given(report_.positions()); }
 
 private:
-  enum class Start {
-    GIVEN,    // what is inverted is untangled where it is: most vertices stay where they were
-    RECTIFIED // all is brought into shape before
-  };
-
   struct Reached
   {
     Positions points;
     Stage_end end = Stage_end::CONVERGED; // of the last stage that the points come from
-    Start start;
   };
 
-  // From the input through the stages that the method asks for. In a full run rectification takes over where untangling
-  // fails.
-  Reached reach(Start start)
+  // One way from the best state so far to a better one.
+  struct Attempt
   {
-    const bool is_full = parameters_.method == Method::FULL;
-    const double target = parameters_.target_quality;
-    // In a full run rectification has done enough in any valid state, and where only a few hexahedra are inverted.
-    const double enough = is_full ? (std::min)(0.0, target) : target;
-    const std::size_t few = is_full ? static_cast<std::size_t>(parameters_.left_to_untangling *
-                                                               double(mesh_.complex.hexahedra.size()))
-                                    : 0;
-    Reached reached{model_.points, Stage_end::CONVERGED, start};
-    const std::size_t given = number_of_inverted(reached.points);
-    if (is_full && start == Start::GIVEN && given > 0 && !control_.check_time()) {
-      const double part = double(given) / double(mesh_.complex.hexahedra.size());
-      const bool starts_harmonic = part > .5; // then the interior tells nothing
-      if (starts_harmonic)
-        reached.points = harmonic_positions();
-      if ((starts_harmonic || part <= parameters_.untangled_as_given) && number_of_inverted(reached.points) > 0)
-        reached.end = untangle(reached.points, Untangling::Attempt::FIRST);
-      if (number_of_inverted(reached.points) > 0 && !control_.is_stopped())
-        reached = {model_.points, Stage_end::CONVERGED, Start::RECTIFIED};
-    }
-    if (reached.start == Start::RECTIFIED && !control_.check_time())
-      rectify_well(reached, enough, few);
+    const char* name; // for whoever reads the table
+    std::function<bool(const Reached& best)> is_needed;
+    std::function<Reached(const Reached& best)> run;
+    std::function<bool(const Reached& reached, const Reached& best)> accepts;
+  };
 
-    if (parameters_.method == Method::RECTIFICATION || control_.check_time())
-      return reached;
-    if (const std::size_t inverted = number_of_inverted(reached.points); inverted > 0) {
-      reached.end = untangle(reached.points);
-      if (is_full && inverted <= few && number_of_inverted(reached.points) > 0 && !control_.is_stopped()) {
-        // those few are too much for untangling
-        rectify(reached.points, enough, 0);
-        reached.end = untangle(reached.points);
+  // In the order in which they are made. What moves least comes first: what is sound stays where it is, unless that fails.
+  std::vector<Attempt> attempts()
+  {
+    using First = Untangling::Attempt;
+    const auto always = [](const Reached&) { return true; };
+    const auto whatever = [](const Reached&, const Reached&) { return true; };
+    const auto if_better = [this](const Reached& a, const Reached& b) { return is_better(a.points, b.points); };
+    const auto is_tangled = [this](const Reached& best) { return number_of_inverted(best.points) > 0; };
+    const Attempt last_untangling{"untangling", is_tangled,
+                                  [this](const Reached& best) { return untangled(best, First::LAST); }, whatever};
+    const Attempt maximin{"maximin", [this](const Reached& best) { return needs_maximin(best.points); },
+                          [this](const Reached& best) { return maximized(best); }, if_better};
+    if (parameters_.method == Method::RECTIFICATION)
+      return {{"rectification", always, [this](const Reached&) { return rectified(parameters_.target_quality, 0); },
+               whatever}};
+    if (parameters_.method == Method::MAXIMIZATION)
+      return {last_untangling, maximin};
+    return {
+      {"projection", [this](const Reached& best) { return is_off_reference(best.points); },
+       [this](const Reached& best) { return projected(best); },
+       [this](const Reached& reached, const Reached&) { return is_good(reached.points); }},
+      {"untangling within the boundary", [this](const Reached& best) { return may_hold_boundary(best.points); },
+       [this](const Reached& best) { return untangled_within_boundary(best); }, if_better},
+      {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
+       [this](const Reached& best) { return untangled(best, First::FIRST); }, if_better},
+      {"rectification", is_tangled, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
+      {"interior point", [this](const Reached& best) { return is_near_feasible(best.points); },
+       [this](const Reached& best) { return improved_within(best); },
+       [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
+      maximin,
+      {"rectified start", [this](const Reached& best) { return is_missed(best.points); },
+       [this](const Reached&) { return maximized(rectified_and_untangled()); }, if_better},
+      {"start within the bound", [this](const Reached& best) { return is_beyond_bound(best.points); },
+       [this](const Reached& best) { return reached_within_bound(best); }, if_better},
+      {"search within the bound", [this](const Reached& best) { return may_raise_within_bound(best.points); },
+       [this](const Reached& best) { return raised_within_bound(best); }, if_better},
+      {"spare quality", [this](const Reached&) { return may_spend_quality(); },
+       [this](const Reached& best) { return spent(best); }, whatever},
+    };
+  }
+
+  Status finish(const Reached& best)
+  {
+    const double excess_before = excess(model_.points), excess_now = excess(best.points);
+    samples_.reset();
+    report_.certify(model_.in_coordinates(best.points), excess_before, excess_now);
+    Status& status = report_.status;
+    status.return_code = control_.is_stopped()
+                           ? control_.return_code()
+                           : report_.return_code(best.end == Stage_end::ITERATION_LIMIT ? Return_code::ITERATION_LIMIT
+                                                                                        : Return_code::CONVERGED);
+    status.iterations = control_.iterations;
+    status.total_seconds = control_.seconds();
+    return status;
+  }
+
+  // --- When attempts are needed ---
+
+  bool has_bound() const { return std::isfinite(bound_); }
+  bool is_exact() const { return parameters_.boundary_placement == Boundary_placement::ON_SURFACE; }
+  double worth_raising_to() const
+  {
+    return (std::min)(parameters_.maximization.floor.hold_limit, parameters_.target_quality);
+  }
+
+  // Whether the mesh has to be brought to a reference.
+  bool is_off_reference(const Positions& points)
+  {
+    return model_.reference_is_given && (excess(points) > 0 || sliding(points).away(points).in_all > 0);
+  }
+
+  // Whether hexahedra are inverted, and the boundary is good enough to stay where it is.
+  bool may_hold_boundary(const Positions& points)
+  {
+    return number_of_inverted(points) > 0 && !is_off_reference(points) &&
+           limit_of_held_boundary(points) >= parameters_.worth_holding_boundary &&
+           std::any_of(model_.attachment.kind.begin(), model_.attachment.kind.end(),
+                       [](Vertex_kind kind) { return kind != Vertex_kind::INTERIOR && kind != Vertex_kind::FIXED; });
+  }
+
+  // No minimum is higher while the boundary does not move: the least scaled Jacobian of its corners, and the least sine of
+  // the angles of its faces.
+  double limit_of_held_boundary(const Positions& points) const
+  {
+    double least = 1;
+    for (const Hexahedron& h : mesh_.complex.hexahedra) {
+      const auto of_corners = scaled_jacobians_of_corners(hexahedron_coordinates(points, h));
+      const auto is_held = [&](int i) { return mesh_.complex.is_on_boundary[h[i]] != 0; };
+      for (int c = 0; c < 8; ++c) {
+        if (!is_held(c))
+          continue;
+        std::vector<Vector_3> edges;
+        for (int n : corner_neighbors[c])
+          if (is_held(n))
+            edges.push_back((points[h[n]] - points[h[c]]).normalized());
+        if (edges.size() == 3)
+          least = (std::min)(least, of_corners[c]);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+          for (std::size_t k = 0; k < i; ++k)
+            least = (std::min)(least, edges[i].cross(edges[k]).norm());
       }
     }
-    const Mesh_quality quality(mesh_.complex, reached.points);
-    // good angles off the reference are not what was asked for
-    const bool is_good = quality.minimum >= target && standing_of(reached.points).is_good();
-    if (quality.inverted == 0 && !is_good && !control_.is_stopped())
-      reached.end = maximize(reached.points);
+    return least;
+  }
+
+  // Whether hexahedra are inverted, and most of the mesh tells where they should be. Interfaces cross the whole mesh
+  // (measured on a ball in a block: they end .087 edges off from a rectified start, and .113 edges untangled where they are).
+  bool tells_where_to_go(const Positions& points)
+  {
+    const std::size_t inverted = number_of_inverted(points);
+    const bool has_interface = boundary_samples().is_bounded() && !boundary_samples().is_bounded_everywhere();
+    return inverted > 0 && !has_interface &&
+           double(inverted) <= parameters_.untangled_as_given * double(mesh_.complex.hexahedra.size());
+  }
+
+  bool is_feasible(const Positions& points) { return standing_of(points).is_good(); }
+
+  // Whether the mesh came in valid, and is within twice its tolerance, from where feasible steps come back.
+  bool is_near_feasible(const Positions& points)
+  {
+    const Standing standing = standing_of(points);
+    return report_.status.before.number_of_invalid == 0 && standing.invalid == 0 && standing.excess <= 1 &&
+           standing.away.in_all == 0;
+  }
+
+  // Whether the minimum is to be raised, and can be without raising the most of the mesh.
+  bool needs_maximin(const Positions& points)
+  {
+    const Mesh_quality quality(mesh_.complex, points);
+    if (quality.inverted > 0)
+      return false;
+    if (!standing_of(points).is_good())
+      return true;
+    if (quality.minimum >= worth_raising_to())
+      return false;
+    std::vector<double> sorted = quality.scaled_jacobians;
+    const auto rank = sorted.begin() +
+                      static_cast<std::ptrdiff_t>(parameters_.maximization.floor.fraction * double(sorted.size()));
+    std::nth_element(sorted.begin(), rank, sorted.end());
+    return *rank >= quality.minimum + parameters_.least_lag;
+  }
+
+  // Whether what comes before quality is not met.
+  bool is_missed(const Positions& points)
+  {
+    return (has_bound() && excess(points) > 0) || (is_exact() && sliding(points).away(points).in_all > 0);
+  }
+
+  bool is_beyond_bound(const Positions& points) { return has_bound() && !is_shown_within_bound(points); }
+
+  bool is_good(const Positions& points)
+  {
+    return standing_of(points).is_good() && Mesh_quality(mesh_.complex, points).minimum >= worth_raising_to();
+  }
+
+  bool may_raise_within_bound(const Positions& points)
+  {
+    return has_bound() && !is_exact() && Mesh_quality(mesh_.complex, points).minimum < worth_raising_to() &&
+           is_shown_within_bound(points);
+  }
+
+  // --- Attempts ---
+
+  Reached projected(const Reached& best) const
+  {
+    return {Projected_start(mesh_.complex, *model_.surface, model_.attachment)(best.points)};
+  }
+
+  // Nothing of the boundary moves. Where the most is inverted, the interior tells nothing.
+  Reached untangled_within_boundary(const Reached& best)
+  {
+    const Boundary_attachment held = held_boundary();
+    attach(held, false);
+    bind(std::numeric_limits<double>::infinity()); // what does not move is not beyond it either
+    Reached reached = best;
+    if (2 * number_of_inverted(best.points) > mesh_.complex.hexahedra.size())
+      reached.points = harmonic_positions();
+    reached = untangled(reached, Untangling::Attempt::FIRST);
+    reached = maximized(reached);
+    bind(parameters_.maximum_deviation / model_.unit);
     return reached;
   }
 
-  // Where a bound is not met: what does not come back within it does not leave it (measured on two organic models
-  // bound to .1 % of their diagonals: they are beyond it by factors of 2.2 and 1.3 otherwise, and within it after this).
-  // Whether the bound is shown to be met.
-  bool come_within_bound(Reached& reached)
-  {
-    bool is_within = is_shown_within_bound(reached.points);
-    const auto try_also = [&](const auto& reach_another_way) {
-      if (control_.is_stopped() || is_within)
-        return;
-      Reached other = reach_another_way();
-      attach(model_.attachment, false);
-      is_within = Mesh_quality(mesh_.complex, other.points).invalid == 0 && is_shown_within_bound(other.points);
-      if (is_within || is_better(other.points, reached.points))
-        reached = std::move(other);
-    };
-    for (Start start : {Start::RECTIFIED, Start::GIVEN})
-      try_also([&] {
-        attach(model_.attachment, true);
-        return reach(start);
-      });
-    if (!is_within && is_shown_within_bound(model_.points))
-      try_also([&] { return reach_from_boundary(); });
-    return is_within;
-  }
-
-  // By search, what maximization has not raised within a bound.
-  void raise_within_bound(Positions& points)
-  {
-    const Timer timer(control_, report_.status.maximization_seconds);
-    const double most = (std::min)(parameters_.maximization.floor.hold_limit, parameters_.target_quality);
-    if (parameters_.boundary_placement == Boundary_placement::ON_SURFACE ||
-        Mesh_quality(mesh_.complex, points).minimum >= most)
-      return; // maximization has raised what stands exactly
-    raise(points, most, [this](const Positions& raised) { return is_shown_within_bound(raised); });
-  }
-
-  template <class IsWithin>
-  void raise(Positions& points, double limit, const IsWithin& is_within)
-  {
-    const Sliding held = sliding(points);
-    Raising_within_bound(mesh_.complex, model_.targets.lengths, *model_.surface, model_.attachment, held,
-                         boundary_samples(), parameters_.maximization.arrivals.search, parameters_.raising)
-      .raise(
-        limit, is_within, [this] { return control_.check_time(); }, points);
-  }
-
-  // Whether nothing was found, though there is much to gain.
-  bool is_left_as_it_was(const Positions& points)
-  {
-    return points == model_.points && !boundary_samples().is_bounded_everywhere() &&
-           parameters_.boundary_placement != Boundary_placement::ON_SURFACE && standing_of(points).is_good() &&
-           Mesh_quality(mesh_.complex, points).minimum <
-             (std::min)(parameters_.maximization.floor.hold_limit, parameters_.target_quality);
-  }
-
-  // A minimum that may not fall for a time can keep all from rising; search raises what has fallen behind at the end.
-  void try_unprotected(Reached& reached)
-  {
-    const Mesh_quality before(mesh_.complex, reached.points);
-    const Standing standing = standing_of(reached.points);
-    Reached other = reached;
-    other.end = maximize(other.points, Protection::NONE);
-    const auto is_standing = [&](const Positions& points) { return !(standing < standing_of(points)); };
-    const double gain = parameters_.least_gain_of_unprotected;
-    if (Mesh_quality(mesh_.complex, other.points).minimum < before.minimum) {
-      const Timer timer(control_, report_.status.maximization_seconds);
-      raise(other.points, before.minimum + gain, is_standing);
-    }
-    const Mesh_quality after(mesh_.complex, other.points);
-    if (is_standing(other.points) && after.minimum >= before.minimum &&
-        (std::max)(after.minimum - before.minimum, after.average - before.average) >= gain)
-      reached = std::move(other);
-  }
-
-  // Everywhere: samples keep to a little less than the bound, and see nothing between them.
-  bool is_shown_within_bound(const Positions& points) const
-  {
-    return certified_deviation(model_.faces, points, *model_.surface, bound_, parameters_.certification).is_shown;
-  }
-
-  // The boundary stays as it is, which is within the bound, while the interior is brought into shape, and within the
-  // bound from then on.
-  Reached reach_from_boundary()
+  Boundary_attachment held_boundary() const
   {
     Boundary_attachment held = model_.attachment;
     for (std::size_t v = 0; v < held.kind.size(); ++v)
       if (mesh_.complex.is_on_boundary[v])
         held.kind[v] = Vertex_kind::FIXED;
-    attach(held, true);
-    Reached reached = reach(Start::GIVEN);
-    attach(model_.attachment, true);
-    if (number_of_inverted(reached.points) > 0 && !control_.is_stopped())
-      reached.end = untangle(reached.points);
-    if (number_of_inverted(reached.points) > 0 || control_.is_stopped())
-      return reached;
-    const Reached start = reached;
-    reached.end = maximize(reached.points);
-    return is_shown_within_bound(reached.points) || !is_shown_within_bound(start.points) ? reached : start;
+    return held;
   }
 
-  // What all stages attach the boundary with from now on. stays_within: they do not loosen the bound for a time.
-  void attach(const Boundary_attachment& attachment, bool stays_within)
+  // From the input. Rectification has done enough where only a few hexahedra are inverted: it takes many iterations for the
+  // last ones.
+  Reached rectified_and_untangled()
   {
-    attachment_ = &attachment;
-    stays_within_ = stays_within;
-    samples_.reset();
+    const double target = (std::min)(0.0, parameters_.target_quality);
+    const auto few = static_cast<std::size_t>(parameters_.left_to_untangling * double(mesh_.complex.hexahedra.size()));
+    Reached reached = rectified(target, few);
+    const std::size_t inverted = number_of_inverted(reached.points);
+    reached = untangled(reached, Untangling::Attempt::LAST);
+    if (inverted <= few && number_of_inverted(reached.points) > 0 && !control_.is_stopped()) {
+      // those few are too much for untangling
+      rectify(reached.points, target, 0);
+      reached = untangled(reached, Untangling::Attempt::LAST);
+    }
+    return reached;
   }
 
   // From the interior that suits it better.
-  void rectify_well(Reached& reached, double enough, std::size_t few)
+  Reached rectified(double target, std::size_t few)
   {
+    Reached reached{model_.points};
     const bool starts_harmonic = 2 * report_.status.before.number_of_inverted > mesh_.complex.hexahedra.size();
     if (starts_harmonic)
       reached.points = harmonic_positions();
-    reached.end = rectify(reached.points, enough, few);
+    reached.end = rectify(reached.points, target, few);
     const Mesh_quality quality(mesh_.complex, reached.points);
     const bool is_rectified = few > 0 ? quality.inverted <= few : quality.invalid == 0;
     if (is_rectified || starts_harmonic || control_.is_stopped())
-      return;
+      return reached;
     // what the given interior locks, another start may not
-    Positions other = harmonic_positions();
-    const Stage_end end_of_other = rectify(other, enough, few);
-    if (number_of_inverted(other) < quality.inverted) {
-      reached.points = std::move(other);
-      reached.end = end_of_other;
+    Reached other{harmonic_positions()};
+    other.end = rectify(other.points, target, few);
+    return number_of_inverted(other.points) < quality.inverted ? other : reached;
+  }
+
+  Reached untangled(const Reached& best, Untangling::Attempt attempt)
+  {
+    Reached reached = best;
+    if (number_of_inverted(best.points) > 0 && !control_.check_time())
+      reached.end = untangle(reached.points, attempt);
+    return reached;
+  }
+
+  // By feasible steps only. What is still off a given reference is pulled the more to it.
+  Reached improved_within(const Reached& best)
+  {
+    const Timer timer(control_, report_.status.maximization_seconds);
+    Reached reached = best;
+    const Interior_point_parameters& p = parameters_.interior_point;
+    for (double tightness = model_.reference_is_given ? p.tightness_of_given : 1; !control_.check_time();
+         tightness *= p.tightening) {
+      Sliding held = sliding(reached.points);
+      Maximization_problem problem = maximization_problem(held);
+      problem.boundary.tightness = tightness;
+      reached.end = Interior_point_maximization(problem, p).run(reached.points, control_, parameters_.target_quality);
+      if (!(excess(reached.points) > 0) || tightness >= p.largest_tightness)
+        break;
     }
+    return reached;
   }
 
-  std::size_t number_of_inverted(const Positions& points) const { return Mesh_quality(mesh_.complex, points).inverted; }
-
-  Standing standing_of(const Positions& points)
+  // The boundary is loosely attached at first.
+  Reached maximized(const Reached& best)
   {
-    const Mesh_quality quality(mesh_.complex, points);
-    return {quality.inverted, quality.invalid, excess(points), sliding(points).away(points)};
+    Reached reached = best;
+    if (!control_.check_time())
+      reached.end = maximize(reached.points);
+    return reached;
   }
 
-  // Whether a bound is not met, or was at the cost of the quality that is worth holding without one.
-  bool is_held_down(const Positions& points)
+  // What comes back within the bound does not leave it: from the boundary as it came in, if that is within, or else from a
+  // rectified start.
+  Reached reached_within_bound(const Reached&)
   {
-    return excess(points) > 0 ||
-           Mesh_quality(mesh_.complex, points).minimum < parameters_.maximization.floor.hold_limit;
+    if (!is_shown_within_bound(model_.points)) {
+      attach(model_.attachment, true);
+      return maximized(rectified_and_untangled());
+    }
+    Reached reached = untangled_within_boundary({model_.points});
+    attach(model_.attachment, true);
+    reached = untangled(reached, Untangling::Attempt::LAST);
+    return improved_within(reached);
   }
 
-  // Whether all of the boundary is to be on the surface, and some of it is not, or not on its features (measured on an
-  // organic model, with a least regularization of untangling of 3e-5: after the first start 3 vertices are not at their
-  // places, after the second one, which is on the surface).
-  bool are_some_off(const Positions& points) const
+  // By search, what maximization has not raised within a bound.
+  Reached raised_within_bound(const Reached& best)
   {
-    return parameters_.boundary_placement == Boundary_placement::ON_SURFACE && sliding(points).away(points).in_all > 0;
-  }
-
-  // Of two results.
-  bool is_better(const Positions& first, const Positions& second)
-  {
-    const Standing a = standing_of(first), b = standing_of(second);
-    return a < b ||
-           (!(b < a) && Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum);
+    const Timer timer(control_, report_.status.maximization_seconds);
+    Reached reached = best;
+    const Sliding held = sliding(reached.points);
+    Raising_within_bound(mesh_.complex, model_.targets.lengths, *model_.surface, model_.attachment, held,
+                         boundary_samples(), parameters_.maximization.arrivals.search, parameters_.raising)
+      .raise(
+        worth_raising_to(), [this](const Positions& raised) { return is_shown_within_bound(raised); },
+        [this] { return control_.check_time(); }, reached.points);
+    return reached;
   }
 
   // Whether the boundary is brought to a reference of its own, and neither a bound nor a quality is asked for.
@@ -330,11 +409,12 @@ private:
   }
 
   // What quality there is to spare goes into the largest deviation.
-  void spend_spare_quality(Reached& reached)
+  Reached spent(const Reached& best)
   {
+    Reached reached = best;
     Mesh_quality quality(mesh_.complex, reached.points);
     if (quality.minimum < parameters_.spare_above)
-      return;
+      return reached;
     // nor may a mesh that came in as good as it is to be get worse
     const double least = (std::max)(parameters_.spare_above, standing_of(model_.points).is_good()
                                                                ? Mesh_quality(mesh_.complex, model_.points).minimum
@@ -359,12 +439,69 @@ private:
       quality = spent;
       reached.points = std::move(points);
     }
+    return reached;
   }
 
   // Bounds the deviation from now on. In mean boundary edges.
   void bind(double bound)
   {
     bound_ = bound;
+    samples_.reset();
+  }
+
+  std::size_t number_of_inverted(const Positions& points) const { return Mesh_quality(mesh_.complex, points).inverted; }
+
+  Standing standing_of(const Positions& points)
+  {
+    const Mesh_quality quality(mesh_.complex, points);
+    return {quality.inverted, quality.invalid, excess(points), sliding(points).away(points)};
+  }
+
+  // Of two results.
+  bool is_better(const Positions& first, const Positions& second)
+  {
+    const Standing a = standing_of(first), b = standing_of(second);
+    return a < b ||
+           (!(b < a) && Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum);
+  }
+
+  // The best state of any stage in the order of goals: what is written if the run ends now. Returns what is shown of it.
+  Run_control::Shown incumbent(const Positions& points, const Mesh_quality& quality)
+  {
+    const auto is_behind = [&] {
+      return incumbent_.standing.is_good() && (quality.invalid > 0 || quality.minimum <= incumbent_.shown.minimum);
+    };
+    if (incumbent_.points.empty() || !is_behind()) {
+      const Standing standing{quality.inverted, quality.invalid, judged_excess(points), sliding(points).away(points)};
+      if (incumbent_.points.empty() || standing < incumbent_.standing ||
+          (!(incumbent_.standing < standing) && quality.minimum > incumbent_.shown.minimum))
+        incumbent_ = {points, standing, {quality.inverted, quality.minimum, quality.average}};
+    }
+    return incumbent_.shown;
+  }
+
+  // With samples of its own: those of the stages go on undisturbed.
+  double judged_excess(const Positions& points)
+  {
+    if (!boundary_samples().has_tolerance())
+      return 0;
+    if (!judging_samples_)
+      judging_samples_.emplace(new_samples(model_.attachment, false));
+    judging_samples_->update(points, 1);
+    return judging_samples_->excess(points);
+  }
+
+  // Everywhere: samples keep to a little less than the bound, and see nothing between them.
+  bool is_shown_within_bound(const Positions& points) const
+  {
+    return certified_deviation(model_.faces, points, *model_.surface, bound_, parameters_.certification).is_shown;
+  }
+
+  // What all stages attach the boundary with from now on. stays_within: they do not loosen the bound for a time.
+  void attach(const Boundary_attachment& attachment, bool stays_within)
+  {
+    attachment_ = &attachment;
+    stays_within_ = stays_within;
     samples_.reset();
   }
 
@@ -408,13 +545,18 @@ private:
       .run(points, control_, attempt);
   }
 
-  Stage_end maximize(Positions& points, Protection protection = Protection::OF_WHAT_IS_GOOD)
+  Stage_end maximize(Positions& points)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
-    return Quality_maximization(mesh_.complex, boundary_samples(), distance_energy(), model_.targets, model_.relations,
-                                held, parameters_.maximization)
-      .run(points, control_, parameters_.target_quality, protection);
+    Maximization_problem problem = maximization_problem(held);
+    return Quality_maximization(problem).run(points, control_, parameters_.target_quality, Protection::NONE);
+  }
+
+  Maximization_problem maximization_problem(Sliding& held)
+  {
+    return Maximization_problem(mesh_.complex, boundary_samples(), distance_energy(), model_.targets, model_.relations,
+                                held, parameters_.maximization);
   }
 
   Sliding sliding(const Positions& points) const
@@ -442,17 +584,20 @@ private:
   // What untangling finds of the boundary, maximization goes on with.
   Boundary_samples& boundary_samples()
   {
-    // where all vertices are to be on the surface, those that are not are counted instead
-    const bool has_tolerance = model_.reference_is_given &&
-                               parameters_.boundary_placement != Boundary_placement::ON_SURFACE;
-    if (!samples_) {
-      Boundary_sample_parameters of_samples = parameters_.boundary.samples;
-      if (stays_within_)
-        of_samples.loosening = 0;
-      samples_.emplace(mesh_.complex, model_.faces, *model_.surface, *attachment_, model_.targets.lengths,
-                       has_tolerance, bound_, of_samples);
-    }
+    if (!samples_)
+      samples_.emplace(new_samples(*attachment_, stays_within_));
     return *samples_;
+  }
+
+  Boundary_samples new_samples(const Boundary_attachment& attachment, bool stays_within) const
+  {
+    // where all vertices are to be on the surface, those that are not are counted instead
+    const bool has_tolerance = model_.reference_is_given && !is_exact();
+    Boundary_sample_parameters of_samples = parameters_.boundary.samples;
+    if (stays_within)
+      of_samples.loosening = 0;
+    return Boundary_samples(mesh_.complex, model_.faces, *model_.surface, attachment, model_.targets.lengths,
+                            has_tolerance, bound_, of_samples);
   }
 
   Distance_energy distance_energy() const
@@ -468,7 +613,15 @@ private:
   double bound_; // of the deviation, in mean boundary edges
   const Boundary_attachment* attachment_ = &model_.attachment;
   bool stays_within_ = false; // the bound, which may be loosened for a time otherwise
-  std::optional<Boundary_samples> samples_;
+  std::optional<Boundary_samples> samples_, judging_samples_;
+
+  struct Incumbent
+  {
+    Positions points;
+    Standing standing{};
+    Run_control::Shown shown{};
+  };
+  Incumbent incumbent_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -242,8 +242,9 @@ private:
 
   Boundary_attachment attached_to_given(bool outside_is_given) const
   {
+    const Positions matched = outside_is_given ? in_box_of_reference() : points;
     if (faces.labels.size() < 2)
-      return Attachment_by_matching(mesh.complex, points, *surface).attachment;
+      return Attachment_by_matching(mesh.complex, matched, *surface).attachment;
     // only what has nothing beyond is matched
     const int first = static_cast<int>(surface->points.size() - points.size());
     if (!outside_is_given) {
@@ -252,12 +253,42 @@ private:
       return result;
     }
     const Hexahedral_complex whole(points.size(), mesh.complex.hexahedra);
-    Boundary_attachment result = Attachment_by_matching(whole, points, *surface, first).attachment;
+    Boundary_attachment result = Attachment_by_matching(whole, matched, *surface, first).attachment;
     for (std::size_t v = 0; v < points.size(); ++v)
       if (mesh.complex.is_on_boundary[v] && !whole.is_on_boundary[v])
         result.kind[v] = Vertex_kind::SURFACE;
     attach_by_identity(mesh.complex, *surface, first, result);
     return result;
+  }
+
+  // Where the mesh is compared with the reference: as it is, or stretched into the box of that if it is nearly on it then.
+  Positions in_box_of_reference() const
+  {
+    constexpr double nearly = .1; // of the distance without
+    Eigen::AlignedBox3d of_mesh, of_reference;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (mesh.complex.is_on_boundary[v])
+        of_mesh.extend(points[v]);
+    for (const Triangle_indices& t : surface->triangles)
+      for (int v : t)
+        of_reference.extend(surface->points[v]);
+    if (!(of_mesh.sizes().minCoeff() > 0))
+      return points;
+    Positions stretched;
+    for (const Vector_3& p : points)
+      stretched.push_back(of_reference.min() +
+                          (p - of_mesh.min()).cwiseQuotient(of_mesh.sizes()).cwiseProduct(of_reference.sizes()));
+    return distance_from_surface(stretched) < nearly * distance_from_surface(points) ? stretched : points;
+  }
+
+  // The sum over the vertices of the boundary.
+  double distance_from_surface(const Positions& places) const
+  {
+    double sum = 0;
+    for (std::size_t v = 0; v < places.size(); ++v)
+      if (mesh.complex.is_on_boundary[v])
+        sum += (surface->closest_point(places[v], Surface_point::no_hint, 0).point - places[v]).norm();
+    return sum;
   }
 
   bool is_on_reference(double tolerance) const

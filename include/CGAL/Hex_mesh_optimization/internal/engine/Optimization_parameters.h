@@ -27,6 +27,7 @@ struct Optimization_parameters : Chosen_parameters
 {
   Boundary_parameters boundary;
   Untangling_parameters untangling;
+  Interior_point_parameters interior_point;
   Maximization_parameters maximization;
   Raising_parameters raising;             // within a bound of the deviation
   Certification_parameters certification; // of that
@@ -38,10 +39,11 @@ struct Optimization_parameters : Chosen_parameters
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
-  // A valid mesh with a minimum below that is worth holding, for which nothing better is found, is tried once more without
-  // protection: what counts is the way's end. The result is taken if it gains so much of the minimum or of the average
-  // (measured on a ring sheared by 2: .532/.803 as minimum and average instead of .446/.446, which it came with).
-  double least_gain_of_unprotected = .01;
+  // A tangled interior is brought to its best within a boundary that allows this minimum, before any of that moves.
+  double worth_holding_boundary = .3;
+  // The minimum of a mesh that is within its tolerance is raised where it is this far behind most of the hexahedra; else it
+  // is the connectivity that limits it.
+  double least_lag = .05;
   // A mesh that was brought to a reference and whose minimum is above this has quality to spare for the largest deviation:
   // it is bound to the part of what it is, so often, as long as the minimum stays above and the average loses no more
   // than that. sin 120° = .866 is the most where three faces meet on a smooth surface, so that hardly any mesh of an

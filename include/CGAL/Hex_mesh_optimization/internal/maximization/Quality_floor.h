@@ -100,6 +100,12 @@ public:
     });
   }
 
+  // The same floor for all corners, whatever they are.
+  void stand_at(double floor)
+  {
+    hexahedra_.for_each([&](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor)); });
+  }
+
   // From now on no less is worth holding than for a mesh of this quality, however many hexahedra get worse.
   void remember_worth(const Mesh_quality& quality) { worth_ = (std::max)(worth_, worth_holding(quality)); }
   // Forgets how high it has risen.

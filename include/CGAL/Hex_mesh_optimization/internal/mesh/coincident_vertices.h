@@ -19,17 +19,73 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// For each vertex the first, by number, of those that it coincides with: mostly itself. Places are equal if all
-// coordinates are, exactly: nodes that a generator writes twice have the same digits, and no tolerance is right for all
-// sizes of hexahedra. That vertices without a face in common are in one place means nothing: a hexahedron may have
-// collapsed. O(n log n) for n vertices and faces.
-inline std::vector<int> coincident_vertices(const Positions& points, const Face_neighbors& neighbors)
+// Numbers the places of the vertices: those in one place have the same number. Places within part · e of each other are
+// equal, e the shorter of the shortest edges at both; with a part of 0 those with equal coordinates. vertices: that count.
+inline std::vector<int> places_of_vertices(const Positions& points, const std::vector<double>& shortest_edge,
+                                           double part, const std::vector<int>& vertices)
+{
+  double largest = 0;
+  for (int v : vertices)
+    largest = (std::max)(largest, part * shortest_edge[v]);
+  const auto cell = [&](int v, int k, double offset) {
+    return largest > 0 ? std::floor(points[v][k] / (2 * largest) + offset) : points[v][k] + 0.0; // -0 equals 0
+  };
+  Disjoint_sets sets(points.size());
+  // Two places that are near are in one cell of one of eight grids, each half a cell aside of another.
+  for (int grid = 0; grid < (largest > 0 ? 8 : 1); ++grid) {
+    std::vector<std::pair<std::array<double, 3>, int>> order;
+    for (int v : vertices)
+      order.push_back({{cell(v, 0, .5 * (grid & 1)), cell(v, 1, .25 * (grid & 2)), cell(v, 2, .125 * (grid & 4))}, v});
+    std::sort(order.begin(), order.end());
+    for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
+      for (end = begin; end < order.size() && order[end].first == order[begin].first; ++end)
+        for (std::size_t i = begin; i < end; ++i) {
+          const int a = order[i].second, b = order[end].second;
+          if ((points[a] - points[b]).norm() <= part * (std::min)(shortest_edge[a], shortest_edge[b])) {
+            sets.unite(a, b);
+            break;
+          }
+        }
+    }
+  }
+  std::vector<int> result(points.size(), -1);
+  for (int v : vertices)
+    result[v] = static_cast<int>(sets.find(v));
+  return result;
+}
+
+// Of the edges of all hexahedra at each vertex; those without a length do not count.
+inline std::vector<double> shortest_edges(const Positions& points, const Face_neighbors& neighbors)
+{
+  std::vector<double> result(points.size(), std::numeric_limits<double>::infinity());
+  for (int side = 0; side < neighbors.number_of_sides(); ++side) {
+    const auto corners = neighbors.vertices(side);
+    for (int k = 0; k < 4; ++k) {
+      const int a = corners[k], b = corners[(k + 1) % 4];
+      const double length = (points[a] - points[b]).norm();
+      for (int v : {a, b})
+        if (length > 0)
+          result[v] = (std::min)(result[v], length);
+    }
+  }
+  for (double& length : result)
+    length = std::isfinite(length) ? length : 0;
+  return result;
+}
+
+// For each vertex the first, by number, of those that it coincides with: mostly itself. part: 0, where coordinates are to
+// be equal, as a generator writes the same node twice with the same digits; or of the shortest edge, for nodes that differ
+// by rounding. That vertices without a face in common are in one place means nothing: a hexahedron may have collapsed.
+// O(n log n) for n vertices and faces.
+inline std::vector<int> coincident_vertices(const Positions& points, const Face_neighbors& neighbors, double part = 0)
 {
   std::vector<int> sides, vertices;
   for (int side = 0; side < neighbors.number_of_sides(); ++side)
@@ -40,18 +96,7 @@ inline std::vector<int> coincident_vertices(const Positions& points, const Face_
     }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-
-  const auto coordinates = [&](int v) {
-    return std::array<double, 3>{points[v][0], points[v][1], points[v][2]}; // -0 equals 0
-  };
-  std::sort(vertices.begin(), vertices.end(), [&](int a, int b) {
-    const auto p = coordinates(a), q = coordinates(b);
-    return p != q ? p < q : a < b;
-  });
-  std::vector<int> place(points.size(), -1);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    place[vertices[i]] = i > 0 && coordinates(vertices[i]) == coordinates(vertices[i - 1]) ? place[vertices[i - 1]]
-                                                                                           : static_cast<int>(i);
+  const std::vector<int> place = places_of_vertices(points, shortest_edges(points, neighbors), part, vertices);
 
   using Corners = std::array<std::pair<int, int>, 4>; // (place, vertex)
   std::vector<Corners> faces;

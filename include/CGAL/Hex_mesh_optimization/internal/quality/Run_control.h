@@ -14,6 +14,7 @@
 
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 
 #include <chrono>
@@ -47,12 +48,26 @@ public:
 
   bool time_is_over() const { return seconds() >= maximum_seconds_; }
 
-  // Reports one iteration. False when the run has to end; return_code() says why.
-  bool after_iteration(Stage stage, std::size_t iteration, double energy, const Mesh_quality& quality)
+  // What the caller sees of a state.
+  struct Shown
+  {
+    std::size_t inverted;
+    double minimum, average;
+  };
+
+  // Called with the state after each iteration, of any stage; returns what is shown for it. Not called if empty.
+  std::function<Shown(const Positions&, const Mesh_quality&)> on_state;
+
+  // Reports one iteration, and the points that it has reached. False when the run has to end; return_code() says why.
+  bool after_iteration(Stage stage, std::size_t iteration, double energy, const Positions& points,
+                       const Mesh_quality& quality)
   {
     ++iterations;
+    Shown shown{quality.inverted, quality.minimum, quality.average};
+    if (on_state)
+      shown = on_state(points, quality);
     if (on_iteration_ &&
-        !on_iteration_({stage, iteration, energy, quality.inverted, quality.minimum, quality.average, seconds()})) {
+        !on_iteration_({stage, iteration, energy, shown.inverted, shown.minimum, shown.average, seconds()})) {
       stop(Return_code::STOPPED_BY_VISITOR);
       return false;
     }

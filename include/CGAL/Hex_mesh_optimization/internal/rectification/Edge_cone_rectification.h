@@ -119,7 +119,7 @@ private:
     is_valid_ = quality.invalid == 0;
     adapt_weights(quality);
     best.offer(points, quality);
-    control.after_iteration(Stage::RECTIFICATION, iteration_++, energy, quality);
+    control.after_iteration(Stage::RECTIFICATION, iteration_++, energy, points, quality);
     return Global_step::largest_move(before, points) >= parameters_.convergence;
   }
 

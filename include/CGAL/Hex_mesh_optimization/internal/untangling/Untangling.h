@@ -115,7 +115,7 @@ public:
         since = 0;
       else if (since % parameters_.widening_patience == 0)
         rings *= 2;
-      control.after_iteration(Stage::UNTANGLING, i, energy, quality);
+      control.after_iteration(Stage::UNTANGLING, i, energy, points, quality);
     }
     points = best.points();
     return control.stage_end(false);

@@ -7,7 +7,6 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-// The library CGAL::Hex_mesh_optimization_engine: what is no template, compiled once for all programs.
+// A part of the library CGAL::Hex_mesh_optimization_engine: meshes of surfaces, compiled once for all programs.
 
-#include <CGAL/Hex_mesh_optimization/internal/interface/run_engine_impl.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface_impl.h>
