@@ -34,8 +34,9 @@ void run(Attached_mesh& s, Run_control& control)
   Boundary_samples samples = s.samples();
   Sliding sliding = s.sliding();
   const Target_lengths targets = guessed_lengths(s.lengths);
-  Quality_maximization(s.complex, samples, s.distance(), targets, s.relations, sliding, Maximization_parameters())
-    .run(s.points, control, std::numeric_limits<double>::infinity());
+  Maximization_problem problem(s.complex, samples, s.distance(), targets, s.relations, sliding,
+                               Maximization_parameters());
+  Quality_maximization(problem).run(s.points, control, std::numeric_limits<double>::infinity());
 }
 
 // Calls test with valid states of the mesh whose vertices were moved at random, those of the boundary a little in every

@@ -111,6 +111,20 @@ TEST(Coincident_vertices, of_collapsed_hexahedra_and_of_edges_that_touch_are_non
   EXPECT_EQ(found(block.points, block.hexahedra), each_alone(std::size_t(n) + 8));
 }
 
+TEST(Coincident_vertices, that_differ_by_rounding_are_found_with_a_tolerance)
+{
+  const Unmerged mesh(Block(3, 2, 2), 1);
+  Positions rounded = mesh.points;
+  for (std::size_t v = 0; v < rounded.size(); ++v)
+    rounded[v] += 1e-6 * Vector_3(double(v % 3) - 1, double(v % 5) - 2, double(v % 7) - 3);
+  const Face_neighbors neighbors(mesh.hexahedra);
+  const std::vector<int> expected = found(mesh.points, mesh.hexahedra);
+  EXPECT_EQ(coincident_vertices(rounded, neighbors, 1e-4), expected);
+  EXPECT_EQ(coincident_vertices(mesh.points, neighbors, 1e-4), expected);
+  EXPECT_EQ(coincident_vertices(rounded, neighbors), each_alone(rounded.size()));
+  EXPECT_EQ(coincident_vertices(rounded, neighbors, 1e-7), each_alone(rounded.size()));
+}
+
 TEST(Coincident_vertices, of_ranges)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;

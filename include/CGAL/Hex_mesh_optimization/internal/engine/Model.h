@@ -59,7 +59,8 @@ public:
     , unit(checked_unit(mesh))
     , center(boundary_center(mesh, unit))
     , points(in_units(mesh.points))
-    , faces(boundary_surface_faces(mesh.complex, reference_is_given, labels_of(parameters.interface_references)))
+    , faces(boundary_surface_faces(mesh.complex, reference_is_given || has_collapsed_face_outside(),
+                                   labels_of(parameters.interface_references)))
     , surface(reference_is_given ? given_reference(reference, parameters) : own_reference(parameters.features))
     , attachment(attached(reference != nullptr, is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
@@ -205,6 +206,18 @@ private:
     Positions normalized = in_units(reference.points);
     require_area(normalized, reference.triangles, name + " has no face with an area that is not lost against the mesh");
     return normalized;
+  }
+
+  // Where it has, the faces outside are attached to all that is outside, whatever the labels: what has no area is no place
+  // to stand on, and another of the same label may be far away.
+  bool has_collapsed_face_outside() const
+  {
+    return std::any_of(mesh.complex.boundary_faces.begin(), mesh.complex.boundary_faces.end(),
+                       [this](const Hexahedral_complex::Boundary_face& f) {
+                         const std::array<int, 4>& v = f.vertices;
+                         return f.beyond < 0 && (!Triangle_surface::has_area(points, {v[0], v[1], v[2]}) ||
+                                                 !Triangle_surface::has_area(points, {v[0], v[2], v[3]}));
+                       });
   }
 
   // Whether a vertex has a face with nothing beyond.

@@ -55,7 +55,7 @@ struct Optimization_parameters : Chosen_parameters
   double spared_deviation = .75;
   double spared_average = .01;
   double growth_of_cost = 1.5;
-  std::size_t most_spared = 2;
+  std::size_t most_spared = 3;
   double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
 };
 

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -57,14 +56,8 @@ public:
          ++i) {
       problem_.floor.stand_at(quality.minimum - parameters_.gap + parameters_.width);
       problem_.samples.update(points, 1);
-      Positions reached = points;
-      const double energy = step(quality, reached);
-      Mesh_quality now(problem_.complex, reached);
-      // each vertex has been held back for the whole step; a part of it can do what all of it does not
-      if (now.invalid > 0 || now.minimum < quality.minimum)
-        break;
-      points = std::move(reached);
-      quality = std::move(now);
+      const double energy = step(quality, points);
+      quality = Mesh_quality(problem_.complex, points);
       progress.add(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, points, quality);
       if (quality.minimum >= target_quality)
@@ -95,16 +88,16 @@ private:
     for (std::size_t h = 0; h < quality.scaled_jacobians.size(); ++h)
       rounded.set(h, 0, least(h) - rounding);
     const Positions start = points;
-    return problem_.step(
-      rounded, Last_resort::UNTIL_NONE_IS_RUINED, 1,
-      [&](const Positions& reached, std::vector<char>& is_ruined) {
-        for_each(is_ruined.size(), [&](std::size_t h) {
-          is_ruined[h] = is_ruined[h] ||
-                         scaled_jacobian(hexahedron_coordinates(reached, problem_.complex.hexahedra[h])) < least(h);
-        });
-        problem_.find_invalidated(start, reached, is_ruined);
-      },
-      points);
+    const auto find_ruined = [&](const Positions& reached, std::vector<char>& is_ruined) {
+      for_each(is_ruined.size(), [&](std::size_t h) {
+        is_ruined[h] = is_ruined[h] ||
+                       scaled_jacobian(hexahedron_coordinates(reached, problem_.complex.hexahedra[h])) < least(h);
+      });
+      problem_.find_invalidated(start, reached, is_ruined);
+    };
+    const double energy = problem_.step(rounded, Last_resort::UNTIL_NONE_IS_RUINED, 1, find_ruined, points);
+    problem_.take_back(start, find_ruined, points);
+    return energy;
   }
 
   Maximization_problem& problem_;

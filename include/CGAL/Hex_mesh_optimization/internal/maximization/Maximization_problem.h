@@ -48,21 +48,22 @@ class Maximization_problem
 public:
   // Positions are in units of the mean boundary edge; targets are those of the edges, of which what is not certain may
   // be adapted. All but the numbers and the targets must outlive the object. distance: of the samples.
-  Maximization_problem(const Hexahedral_complex& complex, Boundary_samples& samples, const Distance_energy& distance,
-                       const Target_lengths& targets, const Edge_relations& relations, Sliding& sliding,
-                       const Maximization_parameters& parameters)
-    : complex(complex)
-    , parameters(parameters)
-    , samples(samples)
-    , sliding(sliding)
-    , batches(complex)
-    , floor(batches, parameters.floor)
-    , boundary(samples, distance, complex.number_of_vertices())
-    , targets(targets)
+  Maximization_problem(const Hexahedral_complex& its_complex, Boundary_samples& its_samples,
+                       const Distance_energy& distance, const Target_lengths& its_targets,
+                       const Edge_relations& relations, Sliding& its_sliding,
+                       const Maximization_parameters& its_parameters)
+    : complex(its_complex)
+    , parameters(its_parameters)
+    , samples(its_samples)
+    , sliding(its_sliding)
+    , batches(its_complex)
+    , floor(batches, its_parameters.floor)
+    , boundary(its_samples, distance, its_complex.number_of_vertices())
+    , targets(its_targets)
     , relations_(relations)
-    , matrix_(vertex_couplings(complex), complex.ties)
-    , assembly_(complex, matrix_)
-    , hexahedra_(complex, batches, assembly_, floor.floors(), targets.lengths, parameters.energy)
+    , matrix_(vertex_couplings(its_complex), its_complex.ties)
+    , assembly_(its_complex, matrix_)
+    , hexahedra_(its_complex, batches, assembly_, floor.floors(), its_targets.lengths, its_parameters.energy)
   {
     // a hexahedron keeps its lengths as closely as the most certain of them
     const double weight = targets.are_asked_for ? parameters.weight_of_lengths_asked_for : 1;
@@ -101,15 +102,15 @@ public:
               Positions& points)
   {
     const auto retract = [this](Positions& p) { sliding.retract(p); };
-    const auto restrict_step = [&](Positions& step) {
-      sliding.keep_within(points, step);
+    const auto restrict_step = [&](Positions& direction) {
+      sliding.keep_within(points, direction);
       hold_corners(
         complex, batches, points, least, parameters.holding_rounds, last_resort, retract,
         [&](const Positions& reached, std::vector<char>& is_ruined) {
           samples.find_leaving(points, reached, complex, is_ruined);
           find_more(reached, is_ruined);
         },
-        step);
+        direction);
     };
     const auto freedoms = [&](const Positions& forces) { return sliding.freedoms(points, forces); };
     Newton_parameters newton = parameters.newton;
@@ -128,6 +129,28 @@ public:
       if (!is_ruined[h] && !is_valid(reached, h) && is_valid(points, h))
         is_ruined[h] = true;
     });
+  }
+
+  // Takes the vertices of hexahedra that find_ruined(points, is_ruined) finds back to the start of a step, until there are
+  // none: a part of a step can ruin what all of it does not.
+  template <class Find_ruined>
+  void take_back(const Positions& start, const Find_ruined& find_ruined, Positions& points) const
+  {
+    std::vector<char> is_ruined(complex.hexahedra.size()), goes_back(points.size(), false);
+    const auto find = [&] {
+      std::fill(is_ruined.begin(), is_ruined.end(), false);
+      find_ruined(points, is_ruined);
+      return std::count(is_ruined.begin(), is_ruined.end(), true) > 0;
+    };
+    while (find()) {
+      for (std::size_t h = 0; h < is_ruined.size(); ++h)
+        for (int v : complex.hexahedra[h])
+          goes_back[v] = goes_back[v] || is_ruined[h];
+      complex.ties.unite(goes_back);
+      for (std::size_t v = 0; v < points.size(); ++v)
+        if (goes_back[v])
+          points[v] = start[v];
+    }
   }
 
   const Hexahedral_complex& complex;

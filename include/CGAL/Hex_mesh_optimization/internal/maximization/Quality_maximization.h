@@ -211,7 +211,12 @@ private:
       points);
     quality = Mesh_quality(problem_.complex, points);
     if (arrivals_.have_begun() && quality.invalid > invalid) {
-      take_back(start, points);
+      problem_.take_back(
+        start,
+        [&](const Positions& reached, std::vector<char>& is_ruined) {
+          problem_.find_invalidated(start, reached, is_ruined);
+        },
+        points);
       quality = Mesh_quality(problem_.complex, points);
     }
     samples_.update(points, boundary_.tightness);
@@ -345,28 +350,6 @@ private:
     best.reassess(samples_.excess(best.points()));
     samples_.update(points, boundary_.tightness);
     return true;
-  }
-
-  // Vertices of hexahedra that a step has made invalid go back to its start: a part of a step can do so where all of it
-  // does not.
-  void take_back(const Positions& start, Positions& points) const
-  {
-    const Hexahedral_complex& complex = problem_.complex;
-    std::vector<char> is_ruined(complex.hexahedra.size()), goes_back(points.size(), false);
-    const auto find = [&] {
-      std::fill(is_ruined.begin(), is_ruined.end(), false);
-      problem_.find_invalidated(start, points, is_ruined);
-      return std::count(is_ruined.begin(), is_ruined.end(), true) > 0;
-    };
-    while (find()) {
-      for (std::size_t h = 0; h < is_ruined.size(); ++h)
-        for (int v : complex.hexahedra[h])
-          goes_back[v] = goes_back[v] || is_ruined[h];
-      complex.ties.unite(goes_back);
-      for (std::size_t v = 0; v < points.size(); ++v)
-        if (goes_back[v])
-          points[v] = start[v];
-    }
   }
 
   // The worst, unless faces leave a bound by that.
