@@ -416,10 +416,7 @@ private:
       for (std::size_t i = 0; i < 3 && i < fields.size(); ++i)
         if (!trimmed(fields[i]).empty() && !parse_number(trimmed(fields[i]), range[i]))
           fail("a number is expected, not \"" + printable(fields[i]) + "\"");
-      if (range[2] <= 0 || range[1] - range[0] > std::int64_t(1) << 32)
-        return;
-      for (std::int64_t n = range[0]; n <= range[1]; n += range[2])
-        add_member(numbers, n);
+      add_range(numbers, range[0], range[1], range[2]);
       return;
     }
     for (std::string_view field : fields) {
@@ -440,6 +437,22 @@ private:
     const auto found = numbers.find(number);
     if (found != numbers.end())
       set_->members.push_back(found->second);
+  }
+
+  // However long it is, no longer than what there is.
+  void add_range(const std::unordered_map<std::int64_t, std::size_t>& numbers, std::int64_t first, std::int64_t last,
+                 std::int64_t step)
+  {
+    constexpr std::int64_t most = std::int64_t(1) << 40;
+    if (step <= 0 || first > last || first < -most || last > most)
+      return;
+    if ((last - first) / step < static_cast<std::int64_t>(2 * numbers.size()))
+      for (std::int64_t n = first; n <= last; n += step)
+        add_member(numbers, n);
+    else
+      for (const auto& [number, index] : numbers)
+        if (number >= first && number <= last && (number - first) % step == 0)
+          set_->members.push_back(index);
   }
 
   void add_points_of_cells(const std::string& cells)
