@@ -48,8 +48,11 @@ function(cgal_hex_mesh_optimization_link_file_libraries target)
   else()
     message(STATUS "netCDF was not found (Debian: libnetcdf-dev): files of Exodus are refused.")
   endif()
-  enable_language(C) # FindHDF5 compiles with it
-  find_package(HDF5 QUIET COMPONENTS C)
+  if(CMAKE_C_COMPILER_LOADED) # FindHDF5 compiles with it
+    find_package(HDF5 QUIET COMPONENTS C)
+  else()
+    message(STATUS "The language C is not enabled, which CMake needs to find HDF5.")
+  endif()
   if(HDF5_FOUND)
     target_include_directories(${target} SYSTEM PUBLIC ${HDF5_C_INCLUDE_DIRS})
     target_link_libraries(${target} PUBLIC ${HDF5_C_LIBRARIES})

@@ -5,6 +5,7 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh_copy.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Places_of_points.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
 
 #include <filesystem>
@@ -63,6 +64,28 @@ Points copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output, cons
   for (const auto& p : CGAL::IO::copy_hex_mesh_file(file, output, points))
     result.emplace_back(p[0], p[1], p[2]);
   return result;
+}
+
+static std::vector<std::array<double, 3>> triples(const Points& points)
+{
+  std::vector<std::array<double, 3>> result;
+  result.reserve(points.size());
+  for (const auto& p : points)
+    result.push_back({{p.x(), p.y(), p.z()}});
+  return result;
+}
+
+Places places_in(const std::string& input, const std::string& output, const Points& points)
+{
+  std::error_code ignored;
+  if (io::extension_of(input) != io::extension_of(output) || !std::filesystem::is_regular_file(input, ignored))
+    return nullptr;
+  return io::Places_of_points(input, triples(points)).places();
+}
+
+void copy(const Places& places, const std::string& output, const Points& before, const Points& after)
+{
+  places->write(output, triples(before), triples(after));
 }
 
 CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file) { return io::attachments_of(file); }

@@ -45,6 +45,12 @@ void check_copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output);
 // Returns the points as they are in the copy.
 Points copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output, const Points& points);
 
+// The places of the coordinates in a file of Medit or VTK; empty where such a file is written anew, as its points are
+// compressed, or the output is of another format.
+using Places = std::shared_ptr<const CGAL::Hex_mesh_optimization::internal::IO::Coordinate_places>;
+Places places_in(const std::string& input, const std::string& output, const Points& points);
+void copy(const Places& places, const std::string& output, const Points& before, const Points& after);
+
 CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file);
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,

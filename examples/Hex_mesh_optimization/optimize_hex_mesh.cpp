@@ -566,6 +566,16 @@ void write_copy(Mesh& mesh, const Options& o, HMO::Status& status)
               << " hexahedra are invalid because the fields of the file have no room for more digits\n";
 }
 
+// Tells the user at once.
+std::vector<std::string> announced_losses(const Mesh& mesh, const Options& o)
+{
+  const std::vector<std::string> lost = losses(mesh, o.output);
+  if (!o.quiet)
+    for (const std::string& line : lost)
+      std::cerr << "warning: not in the output: " << line << '\n';
+  return lost;
+}
+
 Exit_code run(const Options& options)
 {
   if (!options.info)
@@ -577,10 +587,10 @@ Exit_code run(const Options& options)
     return ALL_IS_MET;
   }
   check_output(mesh, options);
-  const std::vector<std::string> lost = mesh.is_copied ? std::vector<std::string>() : losses(mesh, options.output);
-  if (!options.quiet)
-    for (const std::string& line : lost)
-      std::cerr << "warning: not in the output: " << line << '\n';
+  const Places places = mesh.file ? Places() : places_in(options.input, options.output, mesh.points);
+  std::vector<std::string> lost;
+  if (!mesh.is_copied && !places)
+    lost = announced_losses(mesh, options);
 
   const Labels& labels = input.labels;
   HMO::Status status;
@@ -604,8 +614,13 @@ Exit_code run(const Options& options)
 
   if (mesh.is_copied)
     write_copy(mesh, options, status);
-  else
+  else if (places && status.turned_hexahedra.empty())
+    copy(places, options.output, input.mesh.points, mesh.points);
+  else {
+    if (places)
+      lost = announced_losses(mesh, options);
     write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+  }
   if (!options.quiet) {
     print_file(mesh, std::cout);
     for (const std::string& note : notes)

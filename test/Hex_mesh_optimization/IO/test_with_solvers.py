@@ -111,6 +111,38 @@ class In_a_folder(unittest.TestCase):
         return self.path(name)
 
 
+class Options(In_a_folder):
+    def test_info_lists_labels_and_sets(self):
+        listed = run(os.path.join(PROGRAMS, "optimize_hex_mesh"), "--info", self.write("a.inp", Beam(False).abaqus())).stdout
+        for line in ('108 hexahedra  "STEEL"', 'set of vertices "FIX": 16', 'set of cells "EALL": 108'):
+            self.assertIn(line, listed)
+
+    def test_a_fixed_set_does_not_move(self):
+        beam = Beam(True)
+        v = beam.number(3, 1, 1)
+        before = self.write("a.inp", beam.abaqus() + f"*NSET, NSET=held\n{v + 1}\n")
+        optimize(before, self.path("free.inp"))
+        optimize(before, self.path("held.inp"), "--fixed-set", "HELD", expected=1)
+        line = read(before).split("\n")[v + 3]
+        self.assertNotIn(line, read(self.path("free.inp")))
+        self.assertIn(line, read(self.path("held.inp")))
+        self.assertIn("no set", optimize(before, self.path("none.inp"), "--fixed-set", "none", expected=3).stderr)
+        self.assertFalse(os.path.exists(self.path("none.inp")))
+
+    def test_a_file_of_medit_is_copied_too(self):
+        points = Beam(True)
+        text = "MeshVersionFormatted 2 # of double precision\nDimension\n3\nVertices " + str(len(points.points)) + "\n"
+        text += "".join("%r  %r %r 7\n" % tuple(p) for p in points.points) + "Hexahedra\n%d\n" % len(points.hexahedra)
+        text += "".join(" ".join(str(v + 1) for v in h) + " 2\n" for h in points.hexahedra)
+        before = self.write("a.mesh", text + "RequiredVertices\n1\n1\n# the end\nEnd\n")
+        optimize(before, self.path("b.mesh"), "--fixed-boundary")
+        old, new = read(before).split("\n"), read(self.path("b.mesh")).split("\n")
+        self.assertEqual(len(old), len(new))
+        changed = [i for i, (a, b) in enumerate(zip(old, new)) if a != b]
+        self.assertTrue(changed)
+        self.assertLess(max(changed), 4 + len(points.points))
+
+
 class CalculiX(In_a_folder):
     def deflection(self, name):
         """of the tip; None if CalculiX rejects the file"""

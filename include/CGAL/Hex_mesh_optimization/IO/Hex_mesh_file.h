@@ -27,7 +27,7 @@
 
 namespace CGAL::Hex_mesh_optimization::internal::IO {
 class Coordinate_places;
-}
+} // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 namespace CGAL::IO {
 
@@ -39,9 +39,13 @@ namespace CGAL::IO {
 struct Hex_mesh_set
 {
   /// What its members are.
-  enum class Kind { VERTICES, FACES, CELLS };
+  enum class Kind {
+    VERTICES, ///< points
+    FACES,    ///< sides of cells, or cells that are faces
+    CELLS     ///< all other cells
+  };
 
-  Kind kind = Kind::VERTICES;
+  Kind kind = Kind::VERTICES;                    ///< of its members
   std::string name;                              ///< in the file, or made of its number there
   std::size_t size = 0;                          ///< the number of its members
   std::vector<std::size_t> vertices;             ///< its points, or those of its members, in increasing order
@@ -59,29 +63,30 @@ struct Hex_mesh_file
   /// A point whose place is given by those of the corners of a hexahedron: a node of an edge, a face, the middle.
   struct Follower
   {
-    std::size_t point;
-    std::array<std::size_t, 8> corners;
-    std::array<double, 8> weights; ///< of the displacements of the corners
+    std::size_t point;                  ///< the one that goes along
+    std::array<std::size_t, 8> corners; ///< of a hexahedron that has it
+    std::array<double, 8> weights;      ///< of the displacements of the corners
   };
 
   /// Two points that move together.
   struct Periodic_pair
   {
-    std::size_t first, second;
+    std::size_t first;                 ///< the index of a point
+    std::size_t second;                ///< the index of another point
     std::array<double, 3> translation; ///< from the first to the second
   };
 
-  std::string format; ///< in words
-  std::vector<std::array<double, 3>> points;
+  std::string format;                                ///< in words
+  std::vector<std::array<double, 3>> points;         ///< all points of the file, in its order
   std::vector<std::array<std::size_t, 8>> hexahedra; ///< corners, in the order of VTK or all mirrored
   std::vector<std::int64_t> labels;                  ///< one for each hexahedron
   std::map<std::int64_t, std::string> label_names;   ///< of those that have one
 
-  std::vector<Hex_mesh_cell> other_cells; ///< as far as VTK has a type for them
-  std::vector<std::size_t> held_points;   ///< corners of hexahedra that must not move, in increasing order
-  std::vector<Follower> followers;        ///< each point once
-  std::vector<Periodic_pair> periodic_pairs;
-  std::vector<Hex_mesh_set> sets;
+  std::vector<Hex_mesh_cell> other_cells;    ///< as far as VTK has a type for them
+  std::vector<std::size_t> held_points;      ///< corners of hexahedra that must not move, in increasing order
+  std::vector<Follower> followers;           ///< each point once
+  std::vector<Periodic_pair> periodic_pairs; ///< in the order of the file
+  std::vector<Hex_mesh_set> sets;            ///< all that have a name or a number
 
   /// whether points of the boundary have to stay on it exactly: planes of symmetry, the sides of a plane case
   bool has_exact_surfaces = false;
@@ -90,6 +95,7 @@ struct Hex_mesh_file
   std::size_t number_of_high_order_hexahedra = 0; ///< with more than eight nodes
   std::vector<std::string> notes;                 ///< what a user should know
 
+  /// where the coordinates stand, for `copy_hex_mesh_file()`
   std::shared_ptr<const Hex_mesh_optimization::internal::IO::Coordinate_places> places;
 
   /// the set with this name, exactly or, if there is none, in upper or lower case; `nullptr` if there is none.

@@ -28,11 +28,14 @@
 #include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -63,6 +66,19 @@ inline Solver_format solver_format(const std::string& filename)
   if (is_one_of({"med", "rmed", "mmed"}))
     return Solver_format::MED;
   return Solver_format::NONE;
+}
+
+// Whether the first line that is no comment is a keyword.
+inline bool is_abaqus(std::string_view text)
+{
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.substr(0, 2) != "**")
+      return line[0] == '*';
+  }
+  return false;
 }
 
 // What of a file is left out where it is written in a format of another kind.
@@ -122,6 +138,8 @@ inline Hex_mesh_file read_hex_mesh_file(const std::string& filename)
       return io::Ucd_reader(filename).read();
     return io::Abaqus_reader(filename).read();
   case io::Solver_format::GMSH:
+    if (io::is_abaqus(io::read_whole_file(filename))) // CalculiX' own mesher names its meshes so
+      return io::Abaqus_reader(filename).read();
     return io::Gmsh_reader(filename).read();
   case io::Solver_format::NASTRAN:
     return io::Nastran_reader(filename).read();
