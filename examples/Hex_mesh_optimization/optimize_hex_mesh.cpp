@@ -361,17 +361,18 @@ HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& 
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (i > 0 && (spent >= o.time_limit || is_interrupted))
       break;
+    const double left = i == 0 ? o.time_limit : o.time_limit - spent;
     mesh.points = given;
     HMO::Status status;
     Freedom freedom = all[i];
     try {
-      status = optimize(mesh, input, o, freedom, o.time_limit - spent, watcher);
+      status = optimize(mesh, input, o, freedom, left, watcher);
     }
     catch (const HMO::Input_error& error) {
       if (!mesh.file || mesh.file->periodic_pairs.empty() || error.element() != HMO::Input_error::Element::PARAMETER)
         throw;
       freedom.holds_periodic = true;
-      status = optimize(mesh, input, o, freedom, o.time_limit - spent, watcher);
+      status = optimize(mesh, input, o, freedom, left, watcher);
     }
     if (i > 0 && status.invalid_hexahedra.size() >= best.invalid_hexahedra.size())
       continue;
@@ -532,10 +533,8 @@ Json json_of_file(const Mesh& mesh, const std::vector<std::string>& notes)
 }
 
 // Throws now what would be thrown after all the work.
-void check_output(const Mesh& mesh, const Options& o)
+void check_output_of_copy(const Mesh& mesh, const Options& o)
 {
-  if (!mesh.is_copied)
-    return check_output(o.output);
   check_copy(*mesh.file, o.output);
   std::error_code ignored;
   if (std::filesystem::is_directory(o.input, ignored)) {
@@ -578,15 +577,19 @@ std::vector<std::string> announced_losses(const Mesh& mesh, const Options& o)
 
 Exit_code run(const Options& options)
 {
-  if (!options.info)
+  if (!options.info) {
     check_reports(options);
+    if (!is_copy(options.input, options.output))
+      check_output(options.output);
+  }
   const Input input = read_all(options);
   Mesh mesh = input.mesh;
   if (options.info) {
     print_info(mesh, options);
     return ALL_IS_MET;
   }
-  check_output(mesh, options);
+  if (mesh.is_copied)
+    check_output_of_copy(mesh, options);
   const Places places = mesh.file ? Places() : places_in(options.input, options.output, mesh.points);
   std::vector<std::string> lost;
   if (!mesh.is_copied && !places)

@@ -208,8 +208,8 @@ class OpenFOAM(In_a_folder):
     ENVIRONMENT = dict(os.environ, **({} if "WM_PROJECT_DIR" in os.environ else {"WM_PROJECT_DIR": "/usr/share/openfoam"}))
     HEADER = "FoamFile\n{{ version 2.0; format ascii; class dictionary; object {0}; }}\n"
 
-    @needs("blockMesh", "checkMesh")
-    def test_a_case_fails_before_and_passes_after(self):
+    def block(self, cells, boundary):
+        """the case of a block, 4 x 2 x 2"""
         case = self.path("case")
         self.write("case/system/controlDict", self.HEADER.format("controlDict") +
                    "application x; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1; writeControl timeStep;"
@@ -219,14 +219,18 @@ class OpenFOAM(In_a_folder):
                        "gradSchemes {} divSchemes {} laplacianSchemes {} ddtSchemes {} interpolationSchemes {} snGradSchemes {}\n")
         self.write("case/system/blockMeshDict", self.HEADER.format("blockMeshDict") +
                    "scale 1; vertices ((0 0 0) (4 0 0) (4 2 0) (0 2 0) (0 0 2) (4 0 2) (4 2 2) (0 2 2));\n"
-                   "blocks (hex (0 1 2 3 4 5 6 7) (8 4 4) simpleGrading (1 1 1)); edges ();\n"
-                   "boundary (walls { type wall; faces ((0 3 2 1) (4 5 6 7) (0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); });\n")
+                   f"blocks (hex (0 1 2 3 4 5 6 7) ({cells}) simpleGrading (1 1 1)); edges ();\nboundary ({boundary});\n")
         run("blockMesh", "-case", case, env=self.ENVIRONMENT)
+        return case
+
+    def check_case(self, case, moves):
         points = os.path.join(case, "constant/polyMesh/points")
         text = read(points)
-        self.assertIn("(2 1 1)", text)
+        for before, after in moves:
+            self.assertIn(before, text)
+            text = text.replace(before, after)
         with open(points, "w") as file:
-            file.write(text.replace("(2 1 1)", "(3.4 1 1)").replace("(1 1 1)", "(1 1.9 1.2)"))
+            file.write(text)
         check = lambda folder: run("checkMesh", "-case", folder, expected=None, env=self.ENVIRONMENT).stdout
         self.assertIn("Failed", check(case))
         better = self.path("better")
@@ -235,6 +239,17 @@ class OpenFOAM(In_a_folder):
         for name in ("faces", "owner", "neighbour", "boundary"):
             self.assertEqual(read(os.path.join(case, "constant/polyMesh", name)),
                              read(os.path.join(better, "constant/polyMesh", name)))
+
+    @needs("blockMesh", "checkMesh")
+    def test_a_case_fails_before_and_passes_after(self):
+        case = self.block("8 4 4", "walls { type wall; faces ((0 3 2 1) (4 5 6 7) (0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }")
+        self.check_case(case, [("(2 1 1)", "(3.4 1 1)"), ("(1 1 1)", "(1 1.9 1.2)")])
+
+    @needs("blockMesh", "checkMesh")
+    def test_a_plane_case_stays_plane(self):
+        case = self.block("8 4 1", "walls { type wall; faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)); }"
+                          " sides { type empty; faces ((0 3 2 1) (4 5 6 7)); }")
+        self.check_case(case, [("(2 1 0)", "(3.1 1 0)"), ("(2 1 2)", "(3.1 1 2)")])
 
 
 class Exodus(In_a_folder):

@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -152,6 +153,7 @@ private:
     add_cells(faces, owner, neighbor);
     if (!file_in(folder, "boundary").empty())
       add_patches(faces, read_file(folder, "boundary"), region);
+    tie_plane_case();
     for (const char* zones : {"cellZones", "faceZones", "pointZones"})
       if (!file_in(folder, zones).empty())
         add_zones(zones, faces, read_file(folder, zones), region);
@@ -330,7 +332,44 @@ private:
         mesh_.held.insert(mesh_.held.end(), mesh_.sets.back().vertices.begin(), mesh_.sets.back().vertices.end());
       if (patch.type == "empty" || patch.type == "wedge" || patch.type.compare(0, 8, "symmetry") == 0)
         mesh_.has_exact_surfaces = true;
+      (patch.type == "empty" ? empty_patches_ : other_patches_).push_back(mesh_.sets.size() - 1);
     }
+  }
+
+  // The two sides of a plane case, one cell apart, move together, and its outline is held.
+  void tie_plane_case()
+  {
+    std::set<std::array<std::size_t, 4>> sides;
+    for (std::size_t s : empty_patches_)
+      for (std::array<std::size_t, 4> face : mesh_.sets[s].faces) {
+        std::sort(face.begin(), face.end());
+        sides.insert(face);
+      }
+    std::set<std::array<std::size_t, 2>> tied;
+    for (std::size_t c = first_cell_; c < mesh_.cells.size() && !sides.empty(); ++c)
+      for (int f = 0; f < 6 && mesh_.cells[c].kind == Cell_kind::HEXAHEDRON;
+           f += 2) { // opposite sides follow each other
+        const std::array<std::size_t, 4> one = mesh_.side(c, hexahedron_faces[f]),
+                                         other = mesh_.side(c, hexahedron_faces[f + 1]);
+        std::array<std::size_t, 4> sorted_one = one, sorted_other = other;
+        std::sort(sorted_one.begin(), sorted_one.end());
+        std::sort(sorted_other.begin(), sorted_other.end());
+        if (sides.count(sorted_one) == 0 || sides.count(sorted_other) == 0)
+          continue;
+        for (std::size_t i = 0; i < 4; ++i) { // they are listed in opposite directions
+          const std::size_t a = one[i], b = other[(4 - i) % 4];
+          tied.insert({{std::min(a, b), std::max(a, b)}});
+        }
+      }
+    for (const auto& [a, b] : tied) {
+      const std::array<double, 3>&p = mesh_.points[a], &q = mesh_.points[b];
+      mesh_.periodic_pairs.push_back({a, b, {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}}});
+    }
+    for (std::size_t s : other_patches_)
+      if (!tied.empty())
+        mesh_.held.insert(mesh_.held.end(), mesh_.sets[s].vertices.begin(), mesh_.sets[s].vertices.end());
+    empty_patches_.clear();
+    other_patches_.clear();
   }
 
   // The rest of an entry: up to its semicolon, or a dictionary
@@ -440,7 +479,8 @@ private:
   std::string folder_;
   std::shared_ptr<Number_places> places_;
   Solver_mesh mesh_;
-  std::size_t first_point_ = 0, first_cell_ = 0; // of the mesh that is read
+  std::size_t first_point_ = 0, first_cell_ = 0;           // of the mesh that is read
+  std::vector<std::size_t> empty_patches_, other_patches_; // among the sets
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal::IO
