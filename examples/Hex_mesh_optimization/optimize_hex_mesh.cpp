@@ -64,6 +64,22 @@ struct Options : Common_options
   std::size_t restarts = defaults.rectification.restarts;
 };
 
+void add_options_of_solver_files(CLI::App& app, Options& o)
+{
+  app
+    .add_flag("--free-boundary", o.free_boundary,
+              "move vertices of the boundary at once, also in a file of a solver, where it is fixed if that suffices")
+    ->excludes(app.get_option("--fixed-boundary"));
+  app
+    .add_option("--fixed-set", o.fixed_sets,
+                "do not move the vertices of this set of the file (node set, side set, group, patch); once for each")
+    ->type_name("NAME");
+  app
+    .add_option("--interior-surface", o.interior_surfaces,
+                "keep the faces of this set within the mesh as an interface; once for each")
+    ->type_name("NAME");
+}
+
 void add_options(CLI::App& app, Options& o)
 {
   const CLI::Validator count = CLI::Range(std::size_t(0), std::size_t(1000000)).description("");
@@ -87,18 +103,7 @@ void add_options(CLI::App& app, Options& o)
       "the surface that the interface between two labels is brought to (default: as it is); once for each pair")
     ->type_name("LABEL LABEL SURFACE");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
-  app
-    .add_flag("--free-boundary", o.free_boundary,
-              "move vertices of the boundary at once, also in a file of a solver, where it is fixed if that suffices")
-    ->excludes(app.get_option("--fixed-boundary"));
-  app
-    .add_option("--fixed-set", o.fixed_sets,
-                "do not move the vertices of this set of the file (node set, side set, group, patch); once for each")
-    ->type_name("NAME");
-  app
-    .add_option("--interior-surface", o.interior_surfaces,
-                "keep the faces of this set within the mesh as an interface; once for each")
-    ->type_name("NAME");
+  add_options_of_solver_files(app, o);
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
     ->type_name("FILE");
   app
@@ -565,6 +570,47 @@ void write_copy(Mesh& mesh, const Options& o, HMO::Status& status)
               << " hexahedra are invalid because the fields of the file have no room for more digits\n";
 }
 
+// Returns false, and writes nothing, where the file has to be written anew.
+bool write_as_copy(Mesh& mesh, const Input& input, const Places& places, const Options& o, HMO::Status& status)
+{
+  if (mesh.is_copied)
+    write_copy(mesh, o, status);
+  else if (places && status.turned_hexahedra.empty())
+    copy(places, o.output, input.mesh.points, mesh.points);
+  else
+    return false;
+  return true;
+}
+
+struct Outcome
+{
+  HMO::Status status;
+  std::vector<HMO::Iteration> iterations;
+  std::vector<std::string> notes; // for the user
+};
+
+// Merges before, where that is asked for; hexahedra that are inside out are turned.
+Outcome optimized(Mesh& mesh, const Input& input, const Options& o)
+{
+  Outcome result;
+  {
+    Watcher watcher(o.quiet);
+    if (o.merge) {
+      Mesh one = merged(mesh);
+      result.status = optimize(one, input, o, watcher, result.notes);
+      mesh.merged_into = std::move(one.merged_into);
+      for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        mesh.points[v] = one.points[mesh.merged_into[v]];
+    }
+    else
+      result.status = optimize(mesh, input, o, watcher, result.notes);
+    result.iterations = watcher.iterations();
+  }
+  for (std::size_t h : result.status.turned_hexahedra)
+    std::swap_ranges(mesh.hexahedra[h].begin(), mesh.hexahedra[h].begin() + 4, mesh.hexahedra[h].begin() + 4);
+  return result;
+}
+
 // Tells the user at once.
 std::vector<std::string> announced_losses(const Mesh& mesh, const Options& o)
 {
@@ -596,41 +642,19 @@ Exit_code run(const Options& options)
     lost = announced_losses(mesh, options);
 
   const Labels& labels = input.labels;
-  HMO::Status status;
-  std::vector<HMO::Iteration> iterations;
-  std::vector<std::string> notes;
-  {
-    Watcher watcher(options.quiet);
-    if (options.merge) {
-      Mesh one = merged(mesh);
-      status = optimize(one, input, options, watcher, notes);
-      mesh.merged_into = std::move(one.merged_into);
-      for (std::size_t v = 0; v < mesh.points.size(); ++v)
-        mesh.points[v] = one.points[mesh.merged_into[v]];
-    }
-    else
-      status = optimize(mesh, input, options, watcher, notes);
-    iterations = watcher.iterations();
-  }
-  for (std::size_t h : status.turned_hexahedra)
-    std::swap_ranges(mesh.hexahedra[h].begin(), mesh.hexahedra[h].begin() + 4, mesh.hexahedra[h].begin() + 4);
-
-  if (mesh.is_copied)
-    write_copy(mesh, options, status);
-  else if (places && status.turned_hexahedra.empty())
-    copy(places, options.output, input.mesh.points, mesh.points);
-  else {
+  Outcome outcome = optimized(mesh, input, options);
+  HMO::Status& status = outcome.status;
+  if (!write_as_copy(mesh, input, places, options, status)) {
     if (places)
       lost = announced_losses(mesh, options);
     write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   }
   if (!options.quiet) {
     print_file(mesh, std::cout);
-    for (const std::string& note : notes)
+    for (const std::string& note : outcome.notes)
       std::cout << note << ".\n";
-  }
-  if (!options.quiet)
     print_report(status, mesh, labels);
+  }
   Json report =
     with_iterations({{"options", json(options)},
                      {"status", json(status, mesh, labels)},
@@ -639,8 +663,8 @@ Exit_code run(const Options& options)
                       {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
                        {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
                      {"lost", lost},
-                     {"file", json_of_file(mesh, notes)}},
-                    iterations);
+                     {"file", json_of_file(mesh, outcome.notes)}},
+                    outcome.iterations);
   std::optional<Report_page> page;
   if (!options.report.empty())
     page = page_of(options, input, mesh, labels);

@@ -43,8 +43,8 @@ struct Source_file
 {
   Source_file() = default;
 
-  // `name`: relative to the folder of the first file
-  Source_file(const std::string& filename, const std::string& name) : filename(filename), name(name)
+  // `relative_name`: to the folder of the first file
+  Source_file(const std::string& path, const std::string& relative_name) : filename(path), name(relative_name)
   {
     content = read_whole_file(filename);
     is_compressed = is_gzip(content);

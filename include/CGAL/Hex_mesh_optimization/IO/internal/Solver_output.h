@@ -32,6 +32,7 @@
 #include <initializer_list>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -132,95 +133,141 @@ inline void write_abaqus(const std::string& filename, const Solver_output& mesh)
 }
 
 // Version 4.1, binary. Each block is a volume and each surface a surface, with a physical group of that name.
-inline void write_gmsh(const std::string& filename, const Solver_output& mesh)
+class Gmsh_output
 {
-  Atomic_file file(filename);
-  std::string& text = file.text();
-  const auto add = [&text](auto value) {
+public:
+  Gmsh_output(const std::string& filename, const Solver_output& mesh)
+    : mesh_(mesh)
+    , file_(filename)
+    , text_(file_.text())
+  {
+    for (const auto& [label, sides] : mesh.surfaces)
+      surfaces_.emplace_back(label, sides);
+    for (const auto& [label, hexahedra] : mesh.blocks)
+      blocks_.emplace_back(label, hexahedra);
+  }
+
+  void write()
+  {
+    text_ += "$MeshFormat\n4.1 1 8\n";
+    integer(1); // tells the order of bytes
+    text_ += "\n$EndMeshFormat\n";
+    write_names();
+    write_entities();
+    write_nodes();
+    write_elements();
+    file_.commit();
+  }
+
+private:
+  template <class Value>
+  void add(Value value)
+  {
     char bytes[sizeof(value)];
     std::memcpy(bytes, &value, sizeof(value));
-    text.append(bytes, sizeof(value));
-  };
-  const auto count = [&add](std::size_t value) { add(static_cast<std::uint64_t>(value)); };
-  const auto integer = [&add](std::int64_t value) { add(static_cast<std::int32_t>(value)); };
+    text_.append(bytes, sizeof(value));
+  }
+  void count(std::size_t value) { add(static_cast<std::uint64_t>(value)); }
+  void integer(std::size_t value) { add(static_cast<std::int32_t>(value)); }
 
-  text += "$MeshFormat\n4.1 1 8\n";
-  integer(1);
-  text += "\n$EndMeshFormat\n$PhysicalNames\n" + std::to_string(mesh.blocks.size() + mesh.surfaces.size()) + '\n';
-  std::map<std::int64_t, std::int64_t> volume, surface; // numbers from 1, as Gmsh wants them
-  for (const auto& [label, sides] : mesh.surfaces) {
-    surface[label] = static_cast<std::int64_t>(surface.size()) + 1;
-    text += "2 " + std::to_string(surface[label]) + " \"surface_" + std::to_string(label) + "\"\n";
+  void write_names()
+  {
+    text_ += "$PhysicalNames\n" + std::to_string(surfaces_.size() + blocks_.size()) + '\n';
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      text_ += "2 " + std::to_string(i + 1) + " \"surface_" + std::to_string(surfaces_[i].first) + "\"\n";
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      text_ += "3 " + std::to_string(i + 1) + " \"block_" + std::to_string(blocks_[i].first) + "\"\n";
+    text_ += "$EndPhysicalNames\n";
   }
-  for (const auto& [label, hexahedra] : mesh.blocks) {
-    volume[label] = static_cast<std::int64_t>(volume.size()) + 1;
-    text += "3 " + std::to_string(volume[label]) + " \"block_" + std::to_string(label) + "\"\n";
+
+  void write_entities()
+  {
+    std::array<double, 6> box{{0, 0, 0, 0, 0, 0}};
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+      for (std::size_t i = 0; i < 3; ++i) {
+        box[i] = v == 0 ? mesh_.points[v][i] : std::min(box[i], mesh_.points[v][i]);
+        box[i + 3] = v == 0 ? mesh_.points[v][i] : std::max(box[i + 3], mesh_.points[v][i]);
+      }
+    text_ += "$Entities\n";
+    for (std::size_t n : {std::size_t(0), std::size_t(0), surfaces_.size(), blocks_.size()})
+      count(n);
+    for (std::size_t number_of : {surfaces_.size(), blocks_.size()})
+      for (std::size_t i = 0; i < number_of; ++i) {
+        integer(i + 1);
+        for (double x : box)
+          add(x);
+        count(1);
+        integer(i + 1); // the physical group
+        count(0);
+      }
+    text_ += "\n$EndEntities\n";
   }
-  text += "$EndPhysicalNames\n$Entities\n";
-  std::array<double, 6> box{{0, 0, 0, 0, 0, 0}};
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    for (std::size_t i = 0; i < 3; ++i) {
-      box[i] = v == 0 ? mesh.points[v][i] : std::min(box[i], mesh.points[v][i]);
-      box[i + 3] = v == 0 ? mesh.points[v][i] : std::max(box[i + 3], mesh.points[v][i]);
-    }
-  for (std::size_t n : {std::size_t(0), std::size_t(0), surface.size(), volume.size()})
-    count(n);
-  for (const auto* entities : {&surface, &volume})
-    for (const auto& [label, number] : *entities) {
+
+  void write_nodes()
+  {
+    const std::size_t n = mesh_.points.size();
+    text_ += "$Nodes\n";
+    for (std::size_t number : {std::size_t(1), n, std::size_t(1), n})
+      count(number);
+    for (std::size_t number : {3, 1, 0}) // of the first volume, without parameters
       integer(number);
-      for (double x : box)
+    count(n);
+    for (std::size_t v = 0; v < n; ++v)
+      count(v + 1);
+    for (const auto& p : mesh_.points) {
+      for (double x : p)
         add(x);
-      count(1);
+      file_.write_if_large();
+    }
+    text_ += "\n$EndNodes\n";
+  }
+
+  void write_elements()
+  {
+    std::size_t n = mesh_.hexahedra.size();
+    for (const auto& [label, sides] : surfaces_)
+      n += sides.size();
+    text_ += "$Elements\n";
+    for (std::size_t number : {surfaces_.size() + blocks_.size(), n, std::size_t(1), n})
+      count(number);
+    std::size_t element = mesh_.hexahedra.size();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      begin_block(2, i + 1, 3, surfaces_[i].second.size());
+      for (const Hexahedron_side& side : surfaces_[i].second)
+        write_element(++element, mesh_.side(side.hexahedron, side.side));
+    }
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      begin_block(3, i + 1, 5, blocks_[i].second.size());
+      for (std::size_t h : blocks_[i].second)
+        write_element(h + 1, mesh_.hexahedra[h]);
+    }
+    text_ += "\n$EndElements\n";
+  }
+
+  void begin_block(std::size_t dimension, std::size_t entity, std::size_t type, std::size_t size)
+  {
+    for (std::size_t number : {dimension, entity, type})
       integer(number);
-      count(0);
-    }
-  text += "\n$EndEntities\n$Nodes\n";
-  for (std::size_t n : {std::size_t(1), mesh.points.size(), std::size_t(1), mesh.points.size()})
-    count(n);
-  integer(3);
-  integer(1);
-  integer(0);
-  count(mesh.points.size());
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    count(v + 1);
-  for (const auto& p : mesh.points) {
-    for (double x : p)
-      add(x);
-    file.write_if_large();
+    count(size);
   }
-  std::size_t number_of_sides = 0;
-  for (const auto& [label, sides] : mesh.surfaces)
-    number_of_sides += sides.size();
-  text += "\n$EndNodes\n$Elements\n";
-  const std::size_t elements = mesh.hexahedra.size() + number_of_sides;
-  for (std::size_t n : {mesh.blocks.size() + mesh.surfaces.size(), elements, std::size_t(1), elements})
-    count(n);
-  std::size_t number = mesh.hexahedra.size();
-  for (const auto& [label, sides] : mesh.surfaces) {
-    for (std::int64_t n : {std::int64_t(2), surface[label], std::int64_t(3)})
-      integer(n);
-    count(sides.size());
-    for (const Hexahedron_side& side : sides) {
-      count(++number);
-      for (std::size_t v : mesh.side(side.hexahedron, side.side))
-        count(v + 1);
-      file.write_if_large();
-    }
+
+  template <class Vertices>
+  void write_element(std::size_t number, const Vertices& vertices)
+  {
+    count(number);
+    for (std::size_t v : vertices)
+      count(v + 1);
+    file_.write_if_large();
   }
-  for (const auto& [label, hexahedra] : mesh.blocks) {
-    for (std::int64_t n : {std::int64_t(3), volume[label], std::int64_t(5)})
-      integer(n);
-    count(hexahedra.size());
-    for (std::size_t h : hexahedra) {
-      count(h + 1);
-      for (std::size_t v : mesh.hexahedra[h])
-        count(v + 1);
-      file.write_if_large();
-    }
-  }
-  text += "\n$EndElements\n";
-  file.commit();
-}
+
+  const Solver_output& mesh_;
+  Atomic_file file_;
+  std::string& text_;
+  std::vector<std::pair<std::int64_t, std::vector<Hexahedron_side>>> surfaces_;
+  std::vector<std::pair<std::int64_t, std::vector<std::size_t>>> blocks_;
+};
+
+inline void write_gmsh(const std::string& filename, const Solver_output& mesh) { Gmsh_output(filename, mesh).write(); }
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_USE_NETCDF
 
@@ -300,110 +347,156 @@ private:
   int id_ = -1;
 };
 
-// Names in rows of equal length
-inline std::string exodus_names(const std::vector<std::string>& names, std::size_t length)
-{
-  std::string result;
-  for (std::string name : names) {
-    name.resize(length, '\0');
-    result += name;
-  }
-  return result;
-}
-
 // Hexahedra are ordered by their blocks. Each surface is a side set.
+class Exodus_output
+{
+public:
+  Exodus_output(const std::string& filename, const Solver_output& mesh) : mesh_(mesh), file_(filename) {}
+
+  void write()
+  {
+    define_mesh();
+    define_blocks();
+    if (!mesh_.surfaces.empty())
+      define_sets();
+    file_.end_definitions();
+    put_points();
+    put_blocks();
+    if (!mesh_.surfaces.empty())
+      put_sets();
+    file_.commit();
+  }
+
+private:
+  static constexpr std::size_t length = 33; // of names
+
+  // Numbers from 1 on, the state and the names of blocks or sets
+  struct Properties
+  {
+    int numbers = -1, states = -1, names = -1;
+    std::vector<std::string> values;
+  };
+
+  void define_mesh()
+  {
+    file_.attribute("api_version", 5.1f);
+    file_.attribute("version", 5.1f);
+    file_.attribute("floating_point_word_size", 8);
+    file_.attribute("file_size", 1);
+    file_.attribute(NC_GLOBAL, "title", "Hexahedral mesh");
+    string_length_ = file_.dimension("len_string", length);
+    file_.dimension("len_line", 81);
+    file_.dimension("num_dim", 3);
+    const int nodes = file_.dimension("num_nodes", mesh_.points.size());
+    file_.dimension("num_elem", mesh_.hexahedra.size());
+    file_.dimension("time_step", NC_UNLIMITED);
+    for (const char* name : {"coordx", "coordy", "coordz"})
+      coordinates_.push_back(file_.variable(name, NC_DOUBLE, {nodes}));
+  }
+
+  Properties defined(const std::string& prefix, int dimension)
+  {
+    Properties result;
+    result.numbers = file_.variable(prefix + "_prop1", NC_INT, {dimension});
+    file_.attribute(result.numbers, "name", "ID");
+    result.states = file_.variable(prefix + "_status", NC_INT, {dimension});
+    result.names = file_.variable(prefix + "_names", NC_CHAR, {dimension, string_length_});
+    return result;
+  }
+
+  void put(const Properties& properties)
+  {
+    std::vector<int> numbers;
+    std::string rows;
+    for (std::string name : properties.values) {
+      numbers.push_back(static_cast<int>(numbers.size()) + 1);
+      name.resize(length, '\0');
+      rows += name;
+    }
+    file_.put(properties.numbers, numbers);
+    file_.put(properties.states, std::vector<int>(numbers.size(), 1));
+    file_.put(properties.names, rows);
+  }
+
+  void define_blocks()
+  {
+    blocks_ = defined("eb", file_.dimension("num_el_blk", mesh_.blocks.size()));
+    for (const auto& [label, hexahedra] : mesh_.blocks) {
+      blocks_.values.push_back("block_" + std::to_string(label));
+      const std::string number = std::to_string(blocks_.values.size());
+      connectivity_.push_back(file_.variable("connect" + number, NC_INT,
+                                             {file_.dimension("num_el_in_blk" + number, hexahedra.size()),
+                                              file_.dimension("num_nod_per_el" + number, 8)}));
+      file_.attribute(connectivity_.back(), "elem_type", "HEX8");
+    }
+  }
+
+  void define_sets()
+  {
+    sets_ = defined("ss", file_.dimension("num_side_sets", mesh_.surfaces.size()));
+    for (const auto& [label, sides] : mesh_.surfaces) {
+      sets_.values.push_back("surface_" + std::to_string(label));
+      const std::string number = std::to_string(sets_.values.size());
+      const int size = file_.dimension("num_side_ss" + number, sides.size());
+      elements_.push_back(file_.variable("elem_ss" + number, NC_INT, {size}));
+      sides_.push_back(file_.variable("side_ss" + number, NC_INT, {size}));
+    }
+  }
+
+  void put_points()
+  {
+    std::vector<double> values(mesh_.points.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t v = 0; v < values.size(); ++v)
+        values[v] = mesh_.points[v][i];
+      file_.put(coordinates_[i], values);
+    }
+  }
+
+  void put_blocks()
+  {
+    number_of_.resize(mesh_.hexahedra.size());
+    std::size_t b = 0;
+    int next = 0;
+    for (const auto& [label, hexahedra] : mesh_.blocks) {
+      std::vector<int> corners;
+      for (std::size_t h : hexahedra) {
+        number_of_[h] = ++next;
+        for (std::size_t v : mesh_.hexahedra[h])
+          corners.push_back(static_cast<int>(v) + 1);
+      }
+      file_.put(connectivity_[b++], corners);
+    }
+    put(blocks_);
+  }
+
+  void put_sets()
+  {
+    static const int side_number[6] = {4, 2, 1, 3, 5, 6}; // of Exodus, for each of `hexahedron_faces`
+    std::size_t s = 0;
+    for (const auto& [label, sides] : mesh_.surfaces) {
+      std::vector<int> elements, numbers;
+      for (const Hexahedron_side& side : sides) {
+        elements.push_back(number_of_[side.hexahedron]);
+        numbers.push_back(side_number[side.side]);
+      }
+      file_.put(elements_[s], elements);
+      file_.put(sides_[s++], numbers);
+    }
+    put(sets_);
+  }
+
+  const Solver_output& mesh_;
+  New_exodus_file file_;
+  int string_length_ = -1;
+  Properties blocks_, sets_;
+  std::vector<int> coordinates_, connectivity_, elements_, sides_; // variables
+  std::vector<int> number_of_;                                     // of hexahedra, in the order of the blocks
+};
+
 inline void write_exodus(const std::string& filename, const Solver_output& mesh)
 {
-  constexpr std::size_t length = 33;
-  New_exodus_file file(filename);
-  file.attribute("api_version", 5.1f);
-  file.attribute("version", 5.1f);
-  file.attribute("floating_point_word_size", 8);
-  file.attribute("file_size", 1);
-  file.attribute(NC_GLOBAL, "title", "Hexahedral mesh");
-  const int string_length = file.dimension("len_string", length);
-  file.dimension("len_line", 81);
-  file.dimension("num_dim", 3);
-  const int nodes = file.dimension("num_nodes", mesh.points.size());
-  file.dimension("num_elem", mesh.hexahedra.size());
-  const int blocks = file.dimension("num_el_blk", mesh.blocks.size());
-  file.dimension("time_step", NC_UNLIMITED);
-  std::vector<int> coordinates, connectivity, elements_of, sides_of, ids, statuses;
-  std::vector<std::string> block_names, set_names;
-  for (const char* name : {"coordx", "coordy", "coordz"})
-    coordinates.push_back(file.variable(name, NC_DOUBLE, {nodes}));
-  for (const auto& [label, hexahedra] : mesh.blocks) {
-    block_names.push_back("block_" + std::to_string(label));
-    const std::string number = std::to_string(block_names.size());
-    connectivity.push_back(file.variable("connect" + number, NC_INT,
-                                         {file.dimension("num_el_in_blk" + number, hexahedra.size()),
-                                          file.dimension("num_nod_per_el" + number, 8)}));
-    file.attribute(connectivity.back(), "elem_type", "HEX8");
-    ids.push_back(static_cast<int>(ids.size()) + 1);
-    statuses.push_back(1);
-  }
-  const int block_ids = file.variable("eb_prop1", NC_INT, {blocks});
-  file.attribute(block_ids, "name", "ID");
-  const int block_status = file.variable("eb_status", NC_INT, {blocks});
-  const int names_of_blocks = file.variable("eb_names", NC_CHAR, {blocks, string_length});
-  int set_ids = -1, set_status = -1, names_of_sets = -1;
-  if (!mesh.surfaces.empty()) {
-    const int sets = file.dimension("num_side_sets", mesh.surfaces.size());
-    set_ids = file.variable("ss_prop1", NC_INT, {sets});
-    file.attribute(set_ids, "name", "ID");
-    set_status = file.variable("ss_status", NC_INT, {sets});
-    names_of_sets = file.variable("ss_names", NC_CHAR, {sets, string_length});
-    for (const auto& [label, sides] : mesh.surfaces) {
-      set_names.push_back("surface_" + std::to_string(label));
-      const std::string number = std::to_string(set_names.size());
-      const int size = file.dimension("num_side_ss" + number, sides.size());
-      elements_of.push_back(file.variable("elem_ss" + number, NC_INT, {size}));
-      sides_of.push_back(file.variable("side_ss" + number, NC_INT, {size}));
-    }
-  }
-  file.end_definitions();
-
-  std::vector<double> values(mesh.points.size());
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t v = 0; v < values.size(); ++v)
-      values[v] = mesh.points[v][i];
-    file.put(coordinates[i], values);
-  }
-  std::vector<int> number_of(mesh.hexahedra.size()); // in the order of the blocks
-  std::size_t b = 0;
-  int next = 0;
-  for (const auto& [label, hexahedra] : mesh.blocks) {
-    std::vector<int> corners;
-    for (std::size_t h : hexahedra) {
-      number_of[h] = ++next;
-      for (std::size_t v : mesh.hexahedra[h])
-        corners.push_back(static_cast<int>(v) + 1);
-    }
-    file.put(connectivity[b++], corners);
-  }
-  file.put(block_ids, ids);
-  file.put(block_status, statuses);
-  file.put(names_of_blocks, exodus_names(block_names, length));
-  static const int side_number[6] = {4, 2, 1, 3, 5, 6}; // of Exodus, for each of `hexahedron_faces`
-  std::size_t s = 0;
-  for (const auto& [label, sides] : mesh.surfaces) {
-    std::vector<int> elements, numbers;
-    for (const Hexahedron_side& side : sides) {
-      elements.push_back(number_of[side.hexahedron]);
-      numbers.push_back(side_number[side.side]);
-    }
-    file.put(elements_of[s], elements);
-    file.put(sides_of[s++], numbers);
-  }
-  if (!mesh.surfaces.empty()) {
-    ids.resize(mesh.surfaces.size());
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      ids[i] = static_cast<int>(i) + 1;
-    file.put(set_ids, ids);
-    file.put(set_status, std::vector<int>(ids.size(), 1));
-    file.put(names_of_sets, exodus_names(set_names, length));
-  }
-  file.commit();
+  Exodus_output(filename, mesh).write();
 }
 
 #endif
