@@ -115,7 +115,7 @@ TEST_F(Medit, errors)
     text.replace(text.find("1 1 1"), 1, bad);
     refused("a.mesh", medit_header + text + medit_hexahedra, 11, "not a finite number");
   }
-  refused("a.msh", start + medit_hexahedra, 0, "the format is unknown");
+  refused("a.xyz", start + medit_hexahedra, 0, "the format is unknown");
   refused("mesh", start + medit_hexahedra, 0, "the format is unknown");
 }
 
