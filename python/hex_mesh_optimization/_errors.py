@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any, Dict, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Sequence, Tuple
 
 if TYPE_CHECKING:
     from ._status import Element, Status
@@ -64,25 +64,30 @@ class Interrupted(KeyboardInterrupt):
         self.hexahedra = hexahedra
 
 
-# The arguments that messages of the engine are about, by how they begin.
-_ARGUMENTS_OF_PARAMETERS = (
-    ("internal face ", "internal_faces"),
-    ("periodic pair ", "periodic_vertices"),
-    ("the translation of periodic pair ", "periodic_vertices"),
-    ("the target length ", "target_edge_length_map"),
-    ("there is no interface ", "interface_references"),
-    ("there are two references ", "interface_references"),
+# The arguments that messages of the engine are about, by what they say.
+_ARGUMENTS = (
+    (r"labels \d+ and \d+", "interface_references"),
+    (r"^internal face ", "internal_faces"),
+    (r"^periodic pair |^the translation of periodic pair |where the translation takes", "periodic_vertices"),
+    (r"^the target length ", "target_edge_length_map"),
 )
 
 
-def naming_argument(error: Input_error, arguments: Dict[str, str]) -> Input_error:
-    """The error with the argument before the message; arguments: their names by the kinds of elements."""
+def naming_argument(error: Input_error, arguments: Dict[str, str], labels: Sequence[int] = ()) -> Input_error:
+    """The error with the argument before the message.
+
+    arguments: their names by the kinds of elements. labels: those that occur, in increasing order, which the engine has counted.
+    """
+
+    def in_labels(match: re.Match[str]) -> str:
+        return f"labels {labels[int(match[1])]} and {labels[int(match[2])]}"
+
     message, name = str(error), arguments.get(error.element.name)
-    if re.search(r" for the labels -?\d+ and -?\d+", message):
-        name = "interface_references"
-    for beginning, argument in _ARGUMENTS_OF_PARAMETERS:
-        if message.startswith(beginning):
+    for words, argument in _ARGUMENTS:
+        if re.search(words, message):
             name = argument
     if name is None or message.startswith(name):
         return error
+    if len(labels) > 0:
+        message = re.sub(r"labels (\d+) and (\d+)", in_labels, message)
     return Input_error(f"{name}: {message}", error.element.name, error.element_index)

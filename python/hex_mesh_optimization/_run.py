@@ -115,7 +115,8 @@ def optimize(
                 all_points, all_hexahedra, surface, options, number_of_threads, watch
             )
     except Input_error as error:
-        raise naming_argument(error, _OF_MESH) from None
+        occurring = np.unique(options["labels"]).tolist() if "labels" in options else [0]
+        raise naming_argument(error, _OF_MESH, occurring) from None
     status = Status._of(members)
     if is_interrupted:
         raise Interrupted(result, status)

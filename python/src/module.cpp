@@ -210,31 +210,55 @@ std::vector<std::string> write_mesh(const std::string& filename, const py::array
 
 using Named_mesh = std::tuple<std::string, std::string, py::array, py::array>; // role and name, see Report_page
 
-void write_page(const std::string& filename, const std::string& title, const std::vector<Named_mesh>& meshes,
+struct Shown_mesh
+{
+  std::string role, name;
+  Points points;
+  Hexahedra hexahedra;
+};
+
+HMO::internal::Reference_input reference_of(const py::object& reference)
+{
+  const auto [vertices, triangles] = reference.cast<std::pair<py::array, py::array>>();
+  return HMO::internal::triangle_soup_to_reference(point_range(Table(vertices)), cell_range<3>(Table(triangles)),
+                                                   CGAL::parameters::default_values());
+}
+
+// report: as the programs write it, but that the deviation may be missing. why_it_stopped: empty if there was no run.
+void write_page(const std::string& filename, const std::string& title, const std::vector<Named_mesh>& named_meshes,
                 const py::object& reference, const std::vector<std::int64_t>& labels, const std::string& report,
                 const std::string& why_it_stopped)
 {
   const std::string reason = Report_page::reason_of_absence();
   if (!reason.empty())
     throw std::runtime_error(reason);
-  Report_page page;
-  if (!reference.is_none()) {
-    const auto [vertices, triangles] = reference.cast<std::pair<py::array, py::array>>();
-    HMO::internal::Reference_input surface = HMO::internal::triangle_soup_to_reference(
-      point_range(Table(vertices)), cell_range<3>(Table(triangles)), CGAL::parameters::default_values());
-    page.set_reference(std::move(surface.points), std::move(surface.triangles));
-  }
-  for (const auto& [role, name, points, hexahedra] : meshes) {
+  const bool has_reference = !reference.is_none();
+  HMO::internal::Reference_input surface;
+  if (has_reference)
+    surface = reference_of(reference);
+  std::vector<Shown_mesh> meshes;
+  for (const auto& [role, name, points, hexahedra] : named_meshes) {
     require_vertices(Table(hexahedra), Table(points).rows());
-    page.add_mesh(role, name, points_of(points), hexahedra_of(hexahedra));
+    meshes.push_back({role, name, points_of(points), hexahedra_of(hexahedra)});
   }
-  page.add_reference(reference.is_none() ? "Boundary before" : "Reference");
+
+  const py::gil_scoped_release unlocked;
+  Report_page page;
+  if (has_reference)
+    page.set_reference(std::move(surface.points), std::move(surface.triangles));
+  for (const Shown_mesh& mesh : meshes)
+    page.add_mesh(mesh.role, mesh.name, mesh.points, mesh.hexahedra);
+  page.add_reference(has_reference ? "Reference" : "Boundary before");
   const Labels numbered(labels);
   if (numbered.values.size() > 1)
     page.add_labels(numbered.numbers);
-  page.add("why_it_stopped", why_it_stopped);
   page.add("command", "");
-  page.write(filename, title, Json::parse(report));
+  if (!why_it_stopped.empty())
+    page.add("why_it_stopped", why_it_stopped);
+  Json all = Json::parse(report);
+  if (!all["status"].contains("deviation"))
+    all["status"]["deviation"] = json(page.deviation());
+  page.write(filename, title, std::move(all));
 }
 
 const char* name(HMO::Input_error::Element element)
