@@ -83,15 +83,15 @@ def number(value: Any, name: str) -> float:
     return float(value)
 
 
-def count(value: Any, name: str, least: int = 0) -> int:
+def count(value: Any, name: str, least: int = 0, most: int = 2**31 - 1) -> int:
     try:
         if isinstance(value, (bool, np.bool_)):
             raise TypeError
         result = operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: an integer expected, not {value!r}") from None
-    if not least <= result < 2**31:
-        raise ValueError(f"{name}: an integer from {least} to 2147483647 expected, not {result}")
+    if not least <= result <= most:
+        raise ValueError(f"{name}: an integer from {least} to {most} expected, not {result}")
     return result
 
 

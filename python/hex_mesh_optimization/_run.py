@@ -107,7 +107,7 @@ def optimize(
     surface = None if reference is None else arguments.surface(reference)
     if surface is None and edge_is_constrained_map is not None:
         raise TypeError("edge_is_constrained_map: given without a reference, whose edges it is about")
-    number_of_threads = arguments.count(threads, "threads", 1)
+    number_of_threads = arguments.count(threads, "threads", 1, 1024)
 
     try:
         with Watched(progress) as watch:
@@ -177,7 +177,7 @@ def make(
     surface_points = arguments.points(vertices, "vertices")
     surface_triangles = arguments.indices(triangles, 3, "triangles")
     options = arguments.options(given)
-    number_of_threads = arguments.count(threads, "threads", 1)
+    number_of_threads = arguments.count(threads, "threads", 1, 1024)
 
     try:
         with Watched(progress) as watch:

@@ -11,6 +11,8 @@ from __future__ import annotations
 import importlib
 from typing import Any, Tuple
 
+import numpy as np
+
 from ._adapters import optimize_grid
 from ._run import invalid, quality
 from ._status import Status
@@ -26,7 +28,7 @@ class Accessor:
         self._grid = grid
 
     def _hexahedra(self) -> Array:
-        cells: Array = self._grid.cells_dict[12]
+        cells: Array = self._grid.cells_dict.get(12, np.empty((0, 8), np.int64))
         return cells
 
     def optimize(self, **parameters: Any) -> Tuple[Any, Status]:

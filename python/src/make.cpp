@@ -48,5 +48,6 @@ py::tuple make(const py::array& vertices, const py::array& triangles, const py::
   py::array cells = as_array(std::move(hexahedra));
   py::dict report = as_dict(status, points, Table(cells), Labels(), watcher);
   add_to(report, status);
+  watcher.finish(); // an interruption must not come between the result and its caller
   return py::make_tuple(as_array(std::move(points)), cells, report, watcher.is_interrupted());
 }

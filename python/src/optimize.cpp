@@ -184,5 +184,6 @@ py::tuple optimize(const py::array& points, const py::array& hexahedra, const py
   Watcher watcher(progress);
   const HMO::Status status = optimize_all(input, options, result, watcher, threads);
   const py::dict report = as_dict(status, result, input.hexahedra, input.labels, watcher);
+  watcher.finish(); // an interruption must not come between the result and its caller
   return py::make_tuple(as_array(std::move(result)), report, watcher.is_interrupted());
 }
