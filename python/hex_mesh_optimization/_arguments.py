@@ -113,7 +113,8 @@ def choice(value: Any, name: str, enumeration: Type[enum.Enum]) -> str:
 def labels(value: npt.ArrayLike, number_of_hexahedra: int, name: str = "labels") -> Array:
     array = _array(value, name, "iu", "integers")
     if array.shape != (number_of_hexahedra,):
-        raise ValueError(f"{name}: one integer for each of the {number_of_hexahedra} hexahedra expected, not {array.shape}")
+        expected = f"one integer for each of the {number_of_hexahedra} hexahedra"
+        raise ValueError(f"{name}: {expected} expected, not {array.shape}")
     return array
 
 
@@ -122,7 +123,8 @@ def constrained_vertices(value: npt.ArrayLike, number_of_points: int, name: str)
     array = _array(value, name, "biu", "truth values, or integers,")
     if array.dtype.kind == "b":
         if array.shape != (number_of_points,):
-            raise ValueError(f"{name}: one truth value for each of the {number_of_points} points expected, not {array.shape}")
+            expected = f"one truth value for each of the {number_of_points} points"
+            raise ValueError(f"{name}: {expected} expected, not {array.shape}")
         return array
     if array.ndim != 1:
         raise ValueError(f"{name}: an array of indices expected, not of shape {array.shape}")
@@ -174,7 +176,8 @@ def target_edge_length_map(value: Any, name: str) -> Tuple[Array, Array]:
     return edges, lengths
 
 
-_CHECKS: Dict[str, Callable[[Any, str], Any]] = {
+#: the named parameters that need not know the mesh, with what checks them
+OPTIONS: Dict[str, Callable[[Any, str], Any]] = {
     "features_angle_bound": number,
     "boundary_placement": lambda v, n: choice(v, n, Boundary_placement),
     "fixed_boundary": flag,
@@ -201,11 +204,6 @@ _CHECKS: Dict[str, Callable[[Any, str], Any]] = {
     "grid_spacing": number,
     "cells_across": lambda v, n: count(v, n, 1),
 }
-
-
-def options(given: Mapping[str, Any]) -> Dict[str, Any]:
-    """The named parameters that are given."""
-    return {name: _CHECKS[name](value, name) for name, value in given.items() if value is not None}
 
 
 def one_of(name: str, value: Any, short_name: str, short_value: Any) -> Any:

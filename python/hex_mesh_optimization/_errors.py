@@ -76,7 +76,8 @@ _ARGUMENTS = (
 def naming_argument(error: Input_error, arguments: Dict[str, str], labels: Sequence[int] = ()) -> Input_error:
     """The error with the argument before the message.
 
-    arguments: their names by the kinds of elements. labels: those that occur, in increasing order, which the engine has counted.
+    arguments: their names by the kinds of elements.
+    labels: those that occur, in increasing order; the engine knows their numbers.
     """
 
     def in_labels(match: re.Match[str]) -> str:

@@ -101,8 +101,8 @@ def show(
     before, after: a Mesh, or points and hexahedra; of as many hexahedra.
     status: of the run between them, for its numbers, iterations and places.
     reference: the surface that distances are measured from; the boundary of the first mesh if not given.
-    open_browser: whether to show the page in a web browser; if not given, unless this is a notebook, which shows the page
-        that is returned, or there is no screen.
+    open_browser: whether to show the page in a web browser; if not given, unless this is a notebook, which shows the
+        page that is returned, or there is no screen.
     """
     first, second = _pair(before, "before"), _pair(after, "after")
     if len(first[1]) != len(second[1]):

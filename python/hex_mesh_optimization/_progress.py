@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+import warnings
 from typing import Any, Callable, Protocol, TextIO, Union
 
 import numpy as np
@@ -24,7 +25,8 @@ class _Bar(Protocol):
 
 
 def _in_words(i: Iteration) -> str:
-    return f"{i.stage.value} {i.iteration}: {i.number_of_inverted} inverted, scaled Jacobian minimum {i.minimum:.3f}, mean {i.average:.3f}"
+    quality = f"scaled Jacobian minimum {i.minimum:.3f}, mean {i.average:.3f}"
+    return f"{i.stage.value} {i.iteration}: {i.number_of_inverted} inverted, {quality}"
 
 
 class _Tqdm_bar:
@@ -61,7 +63,9 @@ class _Plain_bar:
 
 def _bar() -> _Bar:
     try:
-        return _Tqdm_bar(importlib.import_module("tqdm.auto"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # in a notebook without widgets it is a line of text, and says so
+            return _Tqdm_bar(importlib.import_module("tqdm.auto"))
     except ImportError:
         return _Plain_bar(sys.stderr)
 

@@ -27,8 +27,24 @@ from ._types import Array, Floats, Integers, Surface
 
 __all__ = ["invalid", "make", "optimize", "quality", "statistics", "turned"]
 
-_OF_MESH = {"VERTEX": "points", "HEXAHEDRON": "hexahedra", "REFERENCE_VERTEX": "reference", "REFERENCE_FACE": "reference"}
+_OF_MESH = {
+    "VERTEX": "points",
+    "HEXAHEDRON": "hexahedra",
+    "REFERENCE_VERTEX": "reference",
+    "REFERENCE_FACE": "reference",
+}
 _OF_SURFACE = {"REFERENCE_VERTEX": "vertices", "REFERENCE_FACE": "triangles"}
+
+_SHORT_NAMES = {"max_deviation": "maximum_deviation", "cells": "number_of_hexahedra"}
+
+
+def _options(given: Dict[str, Any]) -> Dict[str, Any]:
+    """Of the arguments of a call, the named parameters that need not know the mesh, checked."""
+    long = {name: value for name, value in given.items() if name in arguments.OPTIONS}
+    for short_name, name in _SHORT_NAMES.items():
+        if short_name in given:
+            long[name] = arguments.one_of(name, long[name], short_name, given[short_name])
+    return {name: arguments.OPTIONS[name](value, name) for name, value in long.items() if value is not None}
 
 
 def optimize(
@@ -67,8 +83,8 @@ def optimize(
 ) -> Tuple[Floats, Status]:
     """Moves the vertices of a hexahedral mesh until no hexahedron is inverted and all are as good as possible.
 
-    This is CGAL::optimize_hex_mesh(), and the parameters are its named parameters: what they mean and what they are if they
-    are not given stands there. Those that are property maps in C++ are arrays here.
+    This is CGAL::optimize_hex_mesh(), and the parameters are its named parameters: what they mean and what they are
+    if they are not given stands there. Those that are property maps in C++ are arrays here.
 
     points: three coordinates each. The array is not changed.
     hexahedra: the eight vertices of each, in the order of VTK; or a `cells` array of VTK (8, a, b, ..., 8, ...).
@@ -87,19 +103,12 @@ def optimize(
     Returns the new points, and what the run reports. Raises Input_error, a ValueError, for what cannot be used, and
     Interrupted, with the best points so far, on Ctrl-C.
     """
-    given: Dict[str, Any] = locals()
-    for name in ("points", "hexahedra", "reference", "threads", "progress", "labels", "hexahedron_label_map"):
-        del given[name]
-    given["maximum_deviation"] = arguments.one_of(
-        "maximum_deviation", maximum_deviation, "max_deviation", given.pop("max_deviation")
-    )
+    options = _options(locals())
     all_points = arguments.points(points, "points")
     all_hexahedra = arguments.hexahedra(hexahedra)
-    constrained = given.pop("vertex_is_constrained_map")
-    options = arguments.options(given)
-    if constrained is not None:
+    if vertex_is_constrained_map is not None:
         options["vertex_is_constrained_map"] = arguments.constrained_vertices(
-            constrained, len(all_points), "vertex_is_constrained_map"
+            vertex_is_constrained_map, len(all_points), "vertex_is_constrained_map"
         )
     all_labels = arguments.one_of("hexahedron_label_map", hexahedron_label_map, "labels", labels)
     if all_labels is not None:
@@ -160,23 +169,14 @@ def make(
     vertices, triangles: the surface; neighbors have indices in common and are oriented alike, outwards.
     cells: short for number_of_hexahedra, about how many to make.
 
-    Returns points, hexahedra, and what the run reports. Raises Input_error, a ValueError, for a surface that bounds no volume,
-    and Interrupted, with the best mesh so far, on Ctrl-C.
+    Returns points, hexahedra, and what the run reports. Raises Input_error, a ValueError, for a surface that bounds no
+    volume, and Interrupted, with the best mesh so far, on Ctrl-C.
     """
-    given: Dict[str, Any] = locals()
-    for name in ("vertices", "triangles", "threads", "progress"):
-        del given[name]
-    given["maximum_deviation"] = arguments.one_of(
-        "maximum_deviation", maximum_deviation, "max_deviation", given.pop("max_deviation")
-    )
-    given["number_of_hexahedra"] = arguments.one_of(
-        "number_of_hexahedra", number_of_hexahedra, "cells", given.pop("cells")
-    )
-    if given["number_of_hexahedra"] is not None and grid_spacing is not None:
+    options = _options(locals())
+    if "number_of_hexahedra" in options and grid_spacing is not None:
         raise TypeError("grid_spacing: given beside the number of hexahedra, which it determines")
     surface_points = arguments.points(vertices, "vertices")
     surface_triangles = arguments.indices(triangles, 3, "triangles")
-    options = arguments.options(given)
     number_of_threads = arguments.count(threads, "threads", 1, 1024)
 
     try:

@@ -305,7 +305,7 @@ class Status:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Meshing_status(Status):
-    """The result of make(): that of the optimization, where before is the mesh that it started from, and of the grid."""
+    """The result of make(): that of the optimization, whose start is the mesh before, and that of the grid."""
 
     spacing: float  #: the length of the cells
     has_topology_of_surface: bool

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Hex_mesh_optimization authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""The accessor of pyvista, from its version 0.48 on: import this module, and there is grid.hmo.optimize() and grid.hmo.quality().
+"""The accessor of pyvista, from its version 0.48 on: import this module, and a grid has grid.hmo.optimize().
 
 It is registered without that where pyvista has been imported before hex_mesh_optimization.
 """

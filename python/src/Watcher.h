@@ -29,8 +29,8 @@ public:
     return goes_on([&] { return is_wanted(iteration); });
   }
 
-  // With the lock, once the run has ended: throws what has stopped it, but for the interruption by the user. One that has come
-  // after the last iteration counts.
+  // With the lock, once the run has ended: throws what has stopped it, but for the interruption by the user, which
+  // counts after the last iteration as well.
   void finish()
   {
     if (!error_)
@@ -42,7 +42,7 @@ public:
   bool is_interrupted() const { return is_interrupted_; }
   const std::vector<HMO::Iteration>& iterations() const { return iterations_; }
 
-  // Leaves the optimization, with the error kept here: it belongs to the interpreter, whose lock is not held on that way.
+  // Leaves the optimization. The error is kept here: it belongs to the interpreter, whose lock is not held on that way.
   struct Failure
   {};
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_PYTHON_ARRAYS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_PYTHON_ARRAYS_H
 
-// Arrays of numpy as the ranges that the package takes, where they are; and what the package makes as arrays, without a copy.
-// The Python part of the module has checked shapes and types.
+// Arrays of numpy as the ranges that the package takes, where they are; and what the package makes as arrays, without a
+// copy. The Python part of the module has checked shapes and types.
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -30,8 +30,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Points = std::vector<Kernel::Point_3>;
 static_assert(sizeof(Kernel::Point_3) == 3 * sizeof(double), "an array of points is an array of numbers");
 
-// A table of numbers in the memory of an array, whatever its strides. It may be read without the lock of the interpreter, as
-// long as the array lives.
+// A table of numbers in the memory of an array, whatever its strides. It may be read without the lock of the
+// interpreter, as long as the array lives.
 class Table
 {
 public:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The compiled part of the Python module: hex_mesh_optimization._engine. Its functions take arguments that the Python part has
-// checked.
+// The compiled part of the Python module: hex_mesh_optimization._engine. Its functions take arguments that the Python
+// part has checked.
 
 #include "Report_page.h"
 #include "arrays.h"
@@ -252,7 +252,7 @@ void write_page(const std::string& filename, const std::string& title, const std
   const Labels numbered(labels);
   if (numbered.values.size() > 1)
     page.add_labels(numbered.numbers);
-  page.add("command", "");
+  page.add("command", "Python, hex_mesh_optimization " CGAL_HEX_MESH_OPTIMIZATION_VERSION);
   if (!why_it_stopped.empty())
     page.add("why_it_stopped", why_it_stopped);
   Json all = Json::parse(report);

@@ -4,8 +4,8 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_PYTHON_OPTIMIZE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_PYTHON_OPTIMIZE_H
 
-// The two runs, with arguments that the Python part of the module has checked. Both tell as the last of their results whether the
-// user has interrupted them.
+// The two runs, with arguments that the Python part of the module has checked. Both tell as the last of their results
+// whether the user has interrupted them.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -84,8 +84,8 @@ inline Edge edge_of(std::int64_t a, std::int64_t b)
 // The feature edges of a triangle soup. Throws what Python gets as a ValueError if one is no edge of a triangle.
 std::set<Edge> feature_edges(const Table& edges, const Table& triangles);
 
-// What work() returns; its parallel algorithms have so many threads, or one where there is no TBB. Nothing of this is global,
-// so that runs do not meet.
+// What work() returns; its parallel algorithms have so many threads, or one where there is no TBB. Nothing of this is
+// global, so that runs do not meet.
 template <class Work>
 auto in_threads(int number, const Work& work)
 {

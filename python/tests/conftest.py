@@ -49,6 +49,14 @@ def cube_surface(side: float) -> Mesh:
     return vertices, np.array(triangles)
 
 
+def write_surface(file: Path, surface: Mesh) -> None:
+    """A file in the format OFF."""
+    vertices, triangles = surface
+    rows = [f"{len(vertices)} {len(triangles)} 0", *(" ".join(map(str, v)) for v in vertices)]
+    rows += ["3 " + " ".join(map(str, t)) for t in triangles]
+    file.write_text("OFF\n" + "\n".join(rows) + "\n")
+
+
 @pytest.fixture
 def tangled() -> Mesh:
     points, hexahedra = shaken_block(3)

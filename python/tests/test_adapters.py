@@ -17,7 +17,8 @@ import hex_mesh_optimization as hmo
 
 
 def test_nothing_is_imported_that_is_not_used() -> None:
-    script = "import sys, hex_mesh_optimization; print([m for m in ('vtkmodules', 'meshio', 'pyvista', 'tqdm', 'IPython') if m in sys.modules])"
+    others = ("vtkmodules", "meshio", "pyvista", "tqdm", "IPython")
+    script = f"import sys, hex_mesh_optimization; print([m for m in {others} if m in sys.modules])"
     assert in_a_process(script).communicate()[0] == "[]\n"
 
 

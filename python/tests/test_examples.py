@@ -17,7 +17,7 @@ from typing import Any, Dict
 
 import numpy as np
 import pytest
-from conftest import cube_surface, shaken_block
+from conftest import cube_surface, shaken_block, write_surface
 
 import hex_mesh_optimization as hmo
 
@@ -32,9 +32,7 @@ def folder_of_meshes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     hmo.write("tangled.vtk", shaken_block(3))
-    vertices, triangles = cube_surface(3)
-    rows = ["3 " + " ".join(map(str, t)) for t in triangles]
-    Path("surface.off").write_text("\n".join(["OFF", "8 12 0", *(" ".join(map(str, v)) for v in vertices), *rows]) + "\n")
+    write_surface(Path("surface.off"), cube_surface(3))
 
 
 @pytest.mark.parametrize("example", sorted(file.stem for file in EXAMPLES.glob("*.py")))

@@ -27,7 +27,7 @@ def with_unused_points(mesh: Mesh, number: int) -> Mesh:
 
 
 def test_contiguous_arrays_are_not_copied_by_python() -> None:
-    points, hexahedra = with_unused_points(shaken_block(2), 200_000)
+    points, hexahedra = with_unused_points(shaken_block(2), 60_000)
     cells = np.tile(block(2)[1], (1000, 1)).astype(np.int32)
     runs: List[Callable[[], object]] = [
         lambda: hmo.optimize(points, hexahedra),
@@ -73,7 +73,7 @@ def resident() -> int:
 
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is asked of Linux")
 def test_calls_leak_nothing() -> None:
-    points, hexahedra = with_unused_points(shaken_block(2), 40_000)  # a megabyte
+    points, hexahedra = with_unused_points(shaken_block(2), 20_000)  # half a megabyte
     seen: List[int] = []
 
     def watch(iteration: hmo.Iteration) -> None:

@@ -13,7 +13,7 @@ from typing import Any, Callable, List
 
 import numpy as np
 import pytest
-from conftest import Mesh, block, cube_surface, interior, shaken_block
+from conftest import Mesh, block, cube_surface, interior, shaken_block, write_surface
 
 import hex_mesh_optimization as hmo
 
@@ -39,13 +39,9 @@ def test_a_reference_and_labels_act_as_in_the_program(program: Program, tmp_path
     points, hexahedra = shaken_block(3)
     labels = np.where(block(3)[0][hexahedra].mean(axis=1)[:, 2] > 1, 7, -5)
     hmo.write(tmp_path / "in.mesh", hmo.Mesh(points, hexahedra, labels))
-    vertices, triangles = cube_surface(3)
-    rows = ["3 " + " ".join(map(str, t)) for t in triangles]
-    (tmp_path / "cube.off").write_text(
-        "\n".join(["OFF", "8 12 0", *(" ".join(map(str, v)) for v in vertices), *rows]) + "\n"
-    )
-    program("optimize_hex_mesh", tmp_path / "in.mesh", tmp_path / "out.mesh", "--reference", tmp_path / "cube.off",
-            "--max-deviation", .3)
+    write_surface(tmp_path / "cube.off", cube_surface(3))
+    options = "--reference", tmp_path / "cube.off", "--max-deviation", 0.3
+    program("optimize_hex_mesh", tmp_path / "in.mesh", tmp_path / "out.mesh", *options)
     mesh = hmo.read(tmp_path / "in.mesh")
     result, status = hmo.optimize(
         mesh.points,
@@ -63,10 +59,7 @@ def test_a_reference_and_labels_act_as_in_the_program(program: Program, tmp_path
 
 def test_a_made_mesh_is_that_of_the_program(program: Program, tmp_path: Path) -> None:
     vertices, triangles = cube_surface(1)
-    rows = ["3 " + " ".join(map(str, t)) for t in triangles]
-    (tmp_path / "cube.off").write_text(
-        "\n".join(["OFF", "8 12 0", *(" ".join(map(str, v)) for v in vertices), *rows]) + "\n"
-    )
+    write_surface(tmp_path / "cube.off", (vertices, triangles))
     program("make_hex_mesh", tmp_path / "cube.off", tmp_path / "out.vtk", "--cells", 60)
     expected = hmo.read(tmp_path / "out.vtk")
     points, hexahedra, status = hmo.make(vertices, triangles, cells=60)
@@ -220,7 +213,9 @@ def test_internal_faces_stay_where_they_are() -> None:
     points, hexahedra = block(4)
     number = np.arange(125).reshape(5, 5, 5)
     middle = number[2]
-    faces = [[middle[j, k], middle[j + 1, k], middle[j + 1, k + 1], middle[j, k + 1]] for j in range(4) for k in range(4)]
+    faces = [
+        [middle[j, k], middle[j + 1, k], middle[j + 1, k + 1], middle[j, k + 1]] for j in range(4) for k in range(4)
+    ]
     free = interior(points)
     points[free & (points[:, 0] != 2)] += np.random.default_rng(1).uniform(-0.7, 0.7, 3)
     result, status = hmo.optimize(points, hexahedra, internal_faces=faces)
