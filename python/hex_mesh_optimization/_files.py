@@ -35,7 +35,7 @@ class Mesh:
     hexahedra: Array
     labels: Array | None = None  #: one integer for each hexahedron
     internal_faces: Array = field(default_factory=lambda: np.empty((0, 4), np.int64))  #: those of the file with a label
-    _attachments: Any = field(default=None, repr=False)
+    _content: Any = field(default=None, repr=False)
 
 
 def _readable(filename: Union[str, os.PathLike[str]]) -> str:
@@ -53,7 +53,7 @@ def read(filename: Union[str, os.PathLike[str]], *, label_array: str | None = No
     for line in content["left_out"]:
         warnings.warn(f"{os.fspath(filename)}: {line}", Lost_data_warning, stacklevel=2)
     return Mesh(
-        content["points"], content["hexahedra"], content["labels"], content["internal_faces"], content["attachments"]
+        content["points"], content["hexahedra"], content["labels"], content["internal_faces"], content["content"]
     )
 
 
@@ -90,7 +90,7 @@ def write(
         hexahedra = turned(hexahedra, status)
     labels = [] if mesh.labels is None else arguments.labels(mesh.labels, len(hexahedra), "mesh.labels").tolist()
     try:
-        lost = _engine.write(os.fspath(filename), new_points, hexahedra, mesh._attachments, labels)
+        lost = _engine.write(os.fspath(filename), new_points, hexahedra, mesh._content, labels)
     except Input_error as error:
         raise naming_argument(error, {"HEXAHEDRON": "mesh"}) from None
     for line in lost:

@@ -116,6 +116,10 @@ auto cell_range(const Table& table)
 // Throws what Python gets as an Input_error where it would read beyond the points; the optimization does that itself.
 void require_vertices(const Table& hexahedra, std::size_t number_of_points);
 
+// Copies, for what takes nothing else.
+Points points_of(const py::array& points);
+std::vector<std::array<std::size_t, 8>> hexahedra_of(const py::array& hexahedra);
+
 template <class Values>
 py::capsule owner_of(Values&& values, const void*& data)
 {
@@ -133,9 +137,10 @@ inline py::array as_array(Points&& points)
   return py::array_t<double>({size, py::ssize_t(3)}, static_cast<const double*>(data), owner);
 }
 
-template <std::size_t n>
-py::array as_array(std::vector<std::array<std::int64_t, n>>&& cells)
+template <class Index, std::size_t n>
+py::array as_array(std::vector<std::array<Index, n>>&& cells)
 {
+  static_assert(sizeof(Index) == sizeof(std::int64_t), "an array of cells is an array of integers");
   const auto size = static_cast<py::ssize_t>(cells.size());
   const void* data;
   const py::capsule owner = owner_of(std::move(cells), data);
