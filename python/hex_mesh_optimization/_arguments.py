@@ -22,6 +22,8 @@ def _array(value: npt.ArrayLike, name: str, kinds: str, expected: str) -> Array:
         array = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: rows of the same length expected") from None
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{name}: an array without a mask expected")
     if array.dtype.kind not in kinds and not (array.size == 0 and array.dtype.kind == "f"):
         raise TypeError(f"{name}: {expected} expected, not {array.dtype}")
     return array if array.dtype.isnative else array.astype(array.dtype.newbyteorder("="))

@@ -40,8 +40,9 @@ class Mesh:
 
 def _readable(filename: Union[str, os.PathLike[str]]) -> str:
     path = os.fspath(filename)
-    with open(path, "rb"):  # the errors of Python are the ones that its users know
-        return path
+    if not os.path.isdir(path):  # some meshes are folders
+        open(path, "rb").close()  # the errors of Python are the ones that its users know
+    return path
 
 
 def read(filename: Union[str, os.PathLike[str]], *, label_array: str | None = None) -> Mesh:

@@ -31,6 +31,8 @@ TETRAHEDRON = CELLS.copy()
 TETRAHEDRON[2, 0] = 4
 RAGGED: Any = [[0, 0, 0], [1, 1]]
 
+MASKED: Any = getattr(np, "ma").masked_less(POINTS, 1)  # numpy has no types for it
+
 Case = Tuple[Any, Any, Type[Exception], str]
 
 MESHES: List[Case] = [
@@ -41,6 +43,7 @@ MESHES: List[Case] = [
     (POINTS.astype(complex), HEXAHEDRA, TypeError, "^points: numbers expected, not complex128"),
     (POINTS.astype(bool), HEXAHEDRA, TypeError, "^points: numbers expected, not bool"),
     (None, HEXAHEDRA, TypeError, "^points: "),
+    (MASKED, HEXAHEDRA, TypeError, "^points: an array without a mask"),
     (POINTS, HEXAHEDRA[:, :7], ValueError, r"^hexahedra: .*\(n, 8\).*\(8, 7\)"),
     (POINTS, HEXAHEDRA.astype(float), TypeError, "^hexahedra: integers expected, not float64"),
     (POINTS, HEXAHEDRA[np.newaxis], ValueError, "^hexahedra: "),
@@ -194,7 +197,7 @@ def test_files_are_named(tmp_path: Path) -> None:
         hmo.read(tmp_path / "none.vtk")
     with pytest.raises(FileNotFoundError):
         hmo.read_surface(tmp_path / "none.off")
-    with pytest.raises(IsADirectoryError):
+    with pytest.raises(hmo.Hex_mesh_file_error):
         hmo.read(tmp_path)
     damaged = tmp_path / "damaged.mesh"
     damaged.write_text("MeshVersionFormatted 2\nDimension 3\nVertices\nmany\n")
