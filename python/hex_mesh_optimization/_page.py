@@ -8,7 +8,6 @@ from __future__ import annotations
 import html
 import json
 import os
-import sys
 import tempfile
 import webbrowser
 from dataclasses import asdict
@@ -21,6 +20,7 @@ from . import _arguments as arguments
 from . import _engine
 from ._errors import Input_error, naming_argument
 from ._files import Mesh
+from ._progress import is_notebook
 from ._run import statistics
 from ._status import Status
 from ._types import Array, Surface
@@ -48,12 +48,6 @@ class Page:
 
     def _repr_html_(self) -> str:
         return f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="800" style="border: 0"></iframe>'
-
-
-def _is_notebook() -> bool:
-    ipython = sys.modules.get("IPython")
-    shell = None if ipython is None else ipython.get_ipython()
-    return shell is not None and hasattr(shell, "kernel")
 
 
 def _pair(mesh: Any, name: str) -> Tuple[Array, Array]:
@@ -125,7 +119,7 @@ def show(
     except Input_error as error:
         raise naming_argument(error, {"REFERENCE_VERTEX": "reference", "REFERENCE_FACE": "reference"}) from None
     if open_browser is None:
-        open_browser = not _is_notebook() and bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+        open_browser = not is_notebook() and bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
     if open_browser:
         page.open()
     return page

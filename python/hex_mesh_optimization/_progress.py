@@ -18,6 +18,13 @@ from ._status import Iteration
 Progress = Union[bool, Callable[[Iteration], object]]
 
 
+def is_notebook() -> bool:
+    """Whether the cells of a notebook show what is written."""
+    ipython = sys.modules.get("IPython")
+    shell = None if ipython is None else ipython.get_ipython()
+    return shell is not None and hasattr(shell, "kernel")
+
+
 class _Bar(Protocol):
     def __call__(self, iteration: Iteration) -> object: ...
 
@@ -31,7 +38,7 @@ def _in_words(i: Iteration) -> str:
 
 class _Tqdm_bar:
     def __init__(self, tqdm: Any) -> None:
-        self._bar = tqdm.tqdm(disable=None, unit=" iterations")
+        self._bar = tqdm.tqdm(disable=False if is_notebook() else None, unit=" iterations")
 
     def __call__(self, iteration: Iteration) -> None:
         self._bar.set_description_str(_in_words(iteration), refresh=False)
@@ -42,22 +49,24 @@ class _Tqdm_bar:
 
 
 class _Plain_bar:
-    """A line that is written again and again, on a terminal alone."""
+    """A line that is written again and again, on a terminal or in a notebook alone."""
+
+    _width = 100
 
     def __init__(self, out: TextIO) -> None:
         self._out = out
         self._next: float = 0  # no terminal needs more than ten lines a second
-        self._is_shown = out.isatty()
+        self._is_shown = out.isatty() or is_notebook()
 
     def __call__(self, iteration: Iteration) -> None:
         if self._is_shown and iteration.seconds >= self._next:
             self._next = iteration.seconds + 0.1
-            self._out.write(f"\r{iteration.seconds:.1f} s  {_in_words(iteration)}\033[K")
+            self._out.write("\r" + f"{iteration.seconds:.1f} s  {_in_words(iteration)}".ljust(self._width))
             self._out.flush()
 
     def close(self) -> None:
         if self._next > 0:
-            self._out.write("\r\033[K")
+            self._out.write("\r" + " " * self._width + "\r")
             self._out.flush()
 
 
