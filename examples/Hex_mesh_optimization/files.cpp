@@ -4,7 +4,13 @@
 #include "files.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
+#include <CGAL/Hex_mesh_optimization/IO/hex_mesh_copy.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 void read(const std::string& filename, Points& points, Hexahedra& hexahedra)
 {
@@ -18,6 +24,51 @@ void read(const std::string& filename, Points& points, Hexahedra& hexahedra,
 }
 
 void read(const std::string& filename, Surface& surface) { CGAL::IO::read_surface(filename, surface); }
+
+namespace io = CGAL::Hex_mesh_optimization::internal::IO;
+
+Solver_file read_solver_file(const std::string& filename)
+{
+  if (!CGAL::IO::is_hex_mesh_file(filename))
+    return nullptr;
+  return std::make_shared<const CGAL::IO::Hex_mesh_file>(CGAL::IO::read_hex_mesh_file(filename));
+}
+
+bool is_copy(const std::string& input, const std::string& output)
+{
+  const io::Solver_format format = io::solver_format(input);
+  if (format == io::Solver_format::NONE)
+    return false;
+  if (format != io::Solver_format::OPENFOAM)
+    return io::solver_format(output) == format;
+  const std::string extension = io::extension_of(output); // the name of a folder has no other meaning
+  return extension != "mesh" && extension != "vtk" && extension != "vtu" &&
+         (io::solver_format(output) == io::Solver_format::NONE || std::filesystem::is_directory(output));
+}
+
+void check_copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output)
+{
+  std::vector<char> may_move(file.points.size(), false);
+  for (const auto& h : file.hexahedra)
+    for (std::size_t v : h)
+      may_move[v] = true;
+  for (const auto& follower : file.followers)
+    may_move[follower.point] = true;
+  file.places->check_output(output, may_move);
+}
+
+Points copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output, const Points& points)
+{
+  Points result;
+  for (const auto& p : CGAL::IO::copy_hex_mesh_file(file, output, points))
+    result.emplace_back(p[0], p[1], p[2]);
+  return result;
+}
+
+CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file)
+{
+  return io::attachments_of(file);
+}
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
            const CGAL::IO::Hex_mesh_attachments& attachments)

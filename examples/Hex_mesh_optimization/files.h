@@ -8,6 +8,7 @@
 // compilation: they are compiled once for all programs.
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,23 @@ void read(const std::string& filename, Points& points, Hexahedra& hexahedra);
 void read(const std::string& filename, Points& points, Hexahedra& hexahedra,
           CGAL::IO::Hex_mesh_attachments& attachments);
 void read(const std::string& filename, Surface& surface);
+
+// The file of a solver, which can be copied with other points.
+using Solver_file = std::shared_ptr<const CGAL::IO::Hex_mesh_file>;
+
+// Empty, if the file is of another kind.
+Solver_file read_solver_file(const std::string& filename);
+
+// Whether the output is a copy of the input with other points, and not of another format.
+bool is_copy(const std::string& input, const std::string& output);
+
+// Throws now what copy() would throw.
+void check_copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output);
+
+// Returns the points as they are in the copy.
+Points copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output, const Points& points);
+
+CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file);
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
            const CGAL::IO::Hex_mesh_attachments& attachments = {});

@@ -126,7 +126,8 @@ void write_page(const Options& o, const Surface& surface, const Mesh& mesh, cons
 
 Exit_code run(const Options& options)
 {
-  check_outputs(options);
+  check_output(options.output);
+  check_reports(options);
   Surface surface;
   read(options.surface, surface);
   if (options.repair)

@@ -9,6 +9,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
 #include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
+#include <CGAL/Hex_mesh_optimization/validity.h>
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/property_map.h>
@@ -18,12 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -34,6 +37,9 @@
 
 const char* const exit_codes =
   "The format of a mesh (.mesh, .vtk, .vtu) and of a surface (also .off, .obj, .stl, .ply) is told by the extension.\n"
+  "Files of solvers are copied, with nothing but numbers of coordinates replaced: .inp (Abaqus, CalculiX, AVS UCD),\n"
+  ".msh (Gmsh), .bdf, .nas, .dat (Nastran), .e, .exo, .g, .ex2 (Exodus II), .med (MED), and folders (cases of\n"
+  "OpenFOAM). Their boundary is fixed where that suffices for a valid mesh, unless --free-boundary is given.\n"
   "Interrupted (Ctrl-C), the program writes the best mesh so far; interrupted twice, it ends without.\n"
   "Vertices and hexahedra are counted from 0, in the order of the file.\n"
   "\n"
@@ -46,9 +52,12 @@ const char* const exit_codes =
 struct Options : Common_options
 {
   std::string input, reference, frozen, label_array, beside;
+  std::vector<std::string> fixed_sets, interior_surfaces; // names of sets of the file
+  bool info = false;
   std::vector<std::tuple<std::int64_t, std::int64_t, std::string>> interfaces; // labels, the file of a surface
   bool merge = false;
   bool fixed_boundary = defaults.fixed_boundary;
+  bool free_boundary = false;
   std::string method = "full";
   std::string edge_lengths = "estimated";
   std::size_t iterations = defaults.rectification.iterations;
@@ -61,7 +70,8 @@ void add_options(CLI::App& app, Options& o)
   app.footer(exit_codes);
   app.get_formatter()->column_width(34);
   app.add_option("INPUT", o.input, "the mesh to optimize")->required();
-  app.add_option("OUTPUT", o.output, "the file to write; may be INPUT")->required();
+  app.add_option("OUTPUT", o.output, "the file to write; may be INPUT");
+  app.add_flag("--info", o.info, "list what INPUT has: labels, sets, cells of other kinds; OUTPUT is not needed");
   app
     .add_option("--reference", o.reference, "the surface that the boundary represents (default: the boundary as it is)")
     ->type_name("SURFACE");
@@ -77,6 +87,18 @@ void add_options(CLI::App& app, Options& o)
       "the surface that the interface between two labels is brought to (default: as it is); once for each pair")
     ->type_name("LABEL LABEL SURFACE");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
+  app
+    .add_flag("--free-boundary", o.free_boundary,
+              "move vertices of the boundary at once, also in a file of a solver, where it is fixed if that suffices")
+    ->excludes(app.get_option("--fixed-boundary"));
+  app
+    .add_option("--fixed-set", o.fixed_sets,
+                "do not move the vertices of this set of the file (node set, side set, group, patch); once for each")
+    ->type_name("NAME");
+  app
+    .add_option("--interior-surface", o.interior_surfaces,
+                "keep the faces of this set within the mesh as an interface; once for each")
+    ->type_name("NAME");
   app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
     ->type_name("FILE");
   app
@@ -120,12 +142,32 @@ std::vector<std::string> losses(const Mesh& mesh, const std::string& output)
 Mesh read_input(const Options& options)
 {
   Mesh mesh;
-  read(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
+  mesh.file = read_solver_file(options.input);
+  if (mesh.file) {
+    for (const auto& p : mesh.file->points)
+      mesh.points.emplace_back(p[0], p[1], p[2]);
+    mesh.hexahedra = mesh.file->hexahedra;
+    mesh.attachments = attachments_of(*mesh.file);
+    mesh.is_copied = is_copy(options.input, options.output);
+    if (mesh.hexahedra.empty() && !options.info)
+      throw CGAL::IO::Hex_mesh_file_error(options.input, 0, "there are no hexahedra in the file");
+  }
+  else
+    read(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.label_array.empty() && !mesh.attachments.use_label_array(options.label_array))
     throw CGAL::IO::Hex_mesh_file_error(options.input, 0,
                                         "there is no array \"" + options.label_array +
                                           "\" with one integral number for each cell");
   return mesh;
+}
+
+// Of the file of a solver; throws if there is none with that name.
+const CGAL::IO::Hex_mesh_set& named_set(const Mesh& mesh, const Options& o, const std::string& name)
+{
+  const CGAL::IO::Hex_mesh_set* set = mesh.file ? mesh.file->find_set(name) : nullptr;
+  if (set == nullptr)
+    throw CGAL::IO::Hex_mesh_file_error(o.input, 0, "there is no set \"" + name + "\" (--info lists them)");
+  return *set;
 }
 
 // The mesh with one vertex in the place of those that coincide.
@@ -171,6 +213,26 @@ std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_
   return result;
 }
 
+// Those that are to be kept. In the file of a solver a face has a label for many reasons: there they are named.
+std::vector<std::array<std::size_t, 4>> kept_faces(const Mesh& mesh, const Options& o)
+{
+  if (!mesh.file)
+    return labelled_faces(mesh.attachments);
+  std::vector<std::array<std::size_t, 4>> result;
+  for (const std::string& name : o.interior_surfaces) {
+    const CGAL::IO::Hex_mesh_set& set = named_set(mesh, o, name);
+    if (set.faces.empty())
+      throw CGAL::IO::Hex_mesh_file_error(o.input, 0, "the set \"" + name + "\" has no quadrilaterals");
+    for (std::array<std::size_t, 4> face : set.faces) {
+      if (!mesh.merged_into.empty())
+        for (std::size_t& v : face)
+          v = mesh.merged_into[v];
+      result.push_back(face);
+    }
+  }
+  return result;
+}
+
 using Interfaces = std::vector<std::pair<std::array<int, 2>, Surface>>; // between the numbers of labels
 
 // What comes in.
@@ -182,26 +244,71 @@ struct Input
   Interfaces interfaces;
 };
 
-HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& watcher)
+// How the vertices of a mesh may move.
+struct Freedom
+{
+  bool fixed_boundary;
+  bool keeps_interfaces = true;
+  bool holds_periodic = false; // those that would move together otherwise
+};
+
+std::set<std::size_t> frozen_vertices(const Mesh& mesh, const Options& o, const Freedom& freedom)
 {
   std::set<std::size_t> frozen;
   if (!o.frozen.empty())
-    for (std::size_t v : read_vertices(o.frozen, mesh.points.size()))
-      frozen.insert(mesh.merged_into.empty() ? v : mesh.merged_into[v]);
-  const auto np = common_parameters(o, watcher)
-                    .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
-                      [&](std::size_t h) { return input.labels.number(h); }))
-                    .internal_faces(labelled_faces(mesh.attachments))
-                    .interface_references(input.interfaces)
-                    .fixed_boundary(o.fixed_boundary)
-                    .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
-                    .optimization_method(o.method == "full"            ? HMO::Method::FULL
-                                         : o.method == "rectification" ? HMO::Method::RECTIFICATION
-                                                                       : HMO::Method::MAXIMIZATION)
-                    .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
-                                                                   : HMO::Target_edge_lengths::ESTIMATED)
-                    .number_of_iterations(o.iterations)
-                    .number_of_restarts(o.restarts);
+    frozen = read_vertices(o.frozen, mesh.points.size());
+  for (const std::string& name : o.fixed_sets) {
+    const CGAL::IO::Hex_mesh_set& set = named_set(mesh, o, name);
+    frozen.insert(set.vertices.begin(), set.vertices.end());
+  }
+  if (mesh.file)
+    frozen.insert(mesh.file->held_points.begin(), mesh.file->held_points.end());
+  if (mesh.file && freedom.holds_periodic)
+    for (const auto& pair : mesh.file->periodic_pairs)
+      frozen.insert({pair.first, pair.second});
+  if (mesh.merged_into.empty())
+    return frozen;
+  std::set<std::size_t> merged;
+  for (std::size_t v : frozen)
+    merged.insert(mesh.merged_into[v]);
+  return merged;
+}
+
+using Periodic_vertices = std::vector<std::tuple<std::size_t, std::size_t, Kernel::Vector_3>>;
+
+Periodic_vertices periodic_vertices(const Mesh& mesh, const Freedom& freedom)
+{
+  Periodic_vertices result;
+  if (mesh.file && !freedom.holds_periodic && mesh.merged_into.empty())
+    for (const auto& [first, second, t] : mesh.file->periodic_pairs)
+      result.emplace_back(first, second, Kernel::Vector_3(t[0], t[1], t[2]));
+  return result;
+}
+
+HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Freedom& freedom, double time_limit,
+                     Watcher& watcher)
+{
+  const std::set<std::size_t> frozen = frozen_vertices(mesh, o, freedom);
+  const auto faces = freedom.keeps_interfaces ? kept_faces(mesh, o) : std::vector<std::array<std::size_t, 4>>();
+  const bool is_exact = o.on_surface || (mesh.file && mesh.file->has_exact_surfaces && !freedom.fixed_boundary);
+  const auto np =
+    common_parameters(o, watcher)
+      .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
+        [&](std::size_t h) { return freedom.keeps_interfaces ? input.labels.number(h) : 0; }))
+      .internal_faces(faces)
+      .interface_references(input.interfaces)
+      .periodic_vertices(periodic_vertices(mesh, freedom))
+      .fixed_boundary(freedom.fixed_boundary)
+      .boundary_placement(is_exact ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE)
+      .maximum_running_time(time_limit)
+      .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
+      .optimization_method(o.method == "full"            ? HMO::Method::FULL
+                           : o.method == "rectification" ? HMO::Method::RECTIFICATION
+                                                         : HMO::Method::MAXIMIZATION)
+      .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
+                                                     : HMO::Target_edge_lengths::ESTIMATED)
+      .number_of_iterations(o.iterations)
+      .number_of_restarts(o.restarts);
   try {
     return in_threads(o.threads, [&] {
       using Tag = CGAL::Parallel_if_available_tag;
@@ -220,6 +327,67 @@ HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& 
   }
 }
 
+// What is tried in turn until the mesh is valid. In the file of a solver the boundary carries loads and contacts: it moves
+// only where it has to. What interfaces are where vertices have left them, nobody knows: at last they are not kept.
+std::vector<Freedom> freedoms(const Mesh& mesh, const Options& o)
+{
+  if (!mesh.file)
+    return {{o.fixed_boundary}};
+  std::vector<Freedom> result;
+  const bool is_fixed_at_first = o.fixed_boundary || (!o.free_boundary && o.reference.empty());
+  for (bool keeps_interfaces : {true, false}) {
+    if (!keeps_interfaces && (!o.interfaces.empty() || !o.interior_surfaces.empty()))
+      break;
+    if (is_fixed_at_first)
+      result.push_back({true, keeps_interfaces});
+    if (!o.fixed_boundary)
+      result.push_back({false, keeps_interfaces});
+  }
+  return result;
+}
+
+// Of those that are tried, the one that is done last is the first that is valid, or the best.
+HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& watcher, std::vector<std::string>& notes)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Points given = mesh.points;
+  HMO::Status best;
+  Points best_points;
+  const std::vector<Freedom> all = freedoms(mesh, o);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0 && !all[i].keeps_interfaces && input.labels.values.size() < 2)
+      break; // nothing would be different
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (i > 0 && (spent >= o.time_limit || is_interrupted))
+      break;
+    mesh.points = given;
+    HMO::Status status;
+    Freedom freedom = all[i];
+    try {
+      status = optimize(mesh, input, o, freedom, o.time_limit - spent, watcher);
+    }
+    catch (const HMO::Input_error& error) {
+      if (!mesh.file || mesh.file->periodic_pairs.empty() || error.element() != HMO::Input_error::Element::PARAMETER)
+        throw;
+      freedom.holds_periodic = true;
+      status = optimize(mesh, input, o, freedom, o.time_limit - spent, watcher);
+    }
+    if (i > 0 && status.invalid_hexahedra.size() >= best.invalid_hexahedra.size())
+      continue;
+    best = std::move(status);
+    best_points = mesh.points;
+    notes.clear();
+    if (!freedom.fixed_boundary && all[0].fixed_boundary)
+      notes.push_back("vertices of the boundary were moved: with a fixed boundary, hexahedra stayed invalid");
+    if (!freedom.keeps_interfaces)
+      notes.push_back("interfaces between labels were not kept: with them, hexahedra stayed invalid");
+    if (best.valid_mesh())
+      break;
+  }
+  mesh.points = std::move(best_points);
+  return best;
+}
+
 Json json(const Options& o)
 {
   Json interfaces = Json::array();
@@ -231,6 +399,9 @@ Json json(const Options& o)
                               {"merge", o.merge},
                               {"label_array", o.label_array.empty() ? Json() : Json(o.label_array)},
                               {"fixed_boundary", o.fixed_boundary},
+                              {"free_boundary", o.free_boundary},
+                              {"fixed_sets", o.fixed_sets},
+                              {"interior_surfaces", o.interior_surfaces},
                               {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
                               {"method", o.method},
                               {"edge_lengths", o.edge_lengths},
@@ -296,12 +467,116 @@ Json json_of_beside(const Options& o, const Mesh& beside, const Report_page& pag
           {"deviation", has_interfaces ? Json() : json(page.deviation())}};
 }
 
+// What the file of a solver has that is not optimized, for the user.
+void print_file(const Mesh& mesh, std::ostream& out)
+{
+  if (!mesh.file)
+    return;
+  const CGAL::IO::Hex_mesh_file& file = *mesh.file;
+  if (file.number_of_other_solids > 0)
+    out << file.number_of_other_solids << " cells of the volume are no hexahedra that can be optimized; "
+        << file.held_points.size() << " vertices of hexahedra are held, most of them shared with those.\n";
+  else if (!file.held_points.empty())
+    out << file.held_points.size() << " vertices of hexahedra are held.\n";
+  if (file.number_of_high_order_hexahedra > 0)
+    out << file.number_of_high_order_hexahedra << " hexahedra have nodes that are no corners: " << file.followers.size()
+        << " such nodes go along with the corners; validity and quality are those of the corners.\n";
+  for (const std::string& note : file.notes)
+    out << note << ".\n";
+}
+
+// --info
+void print_info(const Mesh& mesh, const Options& o)
+{
+  std::cout << o.input << ": " << (mesh.file ? mesh.file->format : "mesh") << ", " << mesh.points.size() << " points, "
+            << mesh.hexahedra.size() << " hexahedra, " << mesh.attachments.other_cells.size() << " other cells\n";
+  print_file(mesh, std::cout);
+  const Labels labels(mesh.file ? mesh.file->labels : mesh.attachments.hexahedron_labels);
+  for (std::size_t i = 0; i < labels.values.size(); ++i) {
+    std::cout << "label " << labels.values[i] << ": "
+              << std::count(labels.numbers.begin(), labels.numbers.end(), static_cast<int>(i)) << " hexahedra";
+    if (mesh.file && mesh.file->label_names.count(labels.values[i]) > 0)
+      std::cout << "  \"" << mesh.file->label_names.at(labels.values[i]) << '"';
+    std::cout << '\n';
+  }
+  if (!mesh.file)
+    return;
+  for (const CGAL::IO::Hex_mesh_set& set : mesh.file->sets) {
+    using Kind = CGAL::IO::Hex_mesh_set::Kind;
+    std::cout << "set of "
+              << (set.kind == Kind::VERTICES ? "vertices"
+                  : set.kind == Kind::FACES  ? "faces"
+                                             : "cells")
+              << " \"" << set.name << "\": " << set.size << '\n';
+  }
+}
+
+Json json_of_file(const Mesh& mesh, const std::vector<std::string>& notes)
+{
+  if (!mesh.file)
+    return Json();
+  const CGAL::IO::Hex_mesh_file& file = *mesh.file;
+  Json names = Json::object();
+  for (const auto& [label, name] : file.label_names)
+    names[std::to_string(label)] = name;
+  std::vector<std::string> all = file.notes;
+  all.insert(all.end(), notes.begin(), notes.end());
+  return {{"format", file.format},
+          {"is_copied", mesh.is_copied},
+          {"number_of_other_solids", file.number_of_other_solids},
+          {"number_of_held_vertices", file.held_points.size()},
+          {"number_of_high_order_hexahedra", file.number_of_high_order_hexahedra},
+          {"label_names", names},
+          {"notes", all}};
+}
+
+// Throws now what would be thrown after all the work.
+void check_output(const Mesh& mesh, const Options& o)
+{
+  if (!mesh.is_copied)
+    return check_output(o.output);
+  check_copy(*mesh.file, o.output);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(o.input, ignored)) {
+    if (std::filesystem::exists(o.output, ignored) && !std::filesystem::is_directory(o.output, ignored))
+      throw CGAL::IO::Hex_mesh_file_error(o.output, 0, "it is no folder, and the input is one");
+  }
+  else
+    check_writable(o.output);
+}
+
+// The vertices are where the copy has them; so is what the status says of them.
+void write_copy(Mesh& mesh, const Options& o, HMO::Status& status)
+{
+  const Points wanted = mesh.points;
+  mesh.points = copy(*mesh.file, o.output, mesh.points);
+  bool is_rounded = false;
+  for (const auto& h : mesh.hexahedra)
+    for (std::size_t v : h)
+      is_rounded = is_rounded || wanted[v] != mesh.points[v];
+  if (!is_rounded)
+    return;
+  const std::size_t before = status.invalid_hexahedra.size();
+  status.after = HMO::quality_statistics(mesh.points, mesh.hexahedra);
+  status.invalid_hexahedra.clear();
+  HMO::invalid_hexahedra(mesh.points, mesh.hexahedra, std::back_inserter(status.invalid_hexahedra));
+  if (status.invalid_hexahedra.size() > before)
+    std::cerr << "warning: " << status.invalid_hexahedra.size() - before
+              << " hexahedra are invalid because the fields of the file have no room for more digits\n";
+}
+
 Exit_code run(const Options& options)
 {
-  check_outputs(options);
+  if (!options.info)
+    check_reports(options);
   const Input input = read_all(options);
   Mesh mesh = input.mesh;
-  const std::vector<std::string> lost = losses(mesh, options.output);
+  if (options.info) {
+    print_info(mesh, options);
+    return ALL_IS_MET;
+  }
+  check_output(mesh, options);
+  const std::vector<std::string> lost = mesh.is_copied ? std::vector<std::string>() : losses(mesh, options.output);
   if (!options.quiet)
     for (const std::string& line : lost)
       std::cerr << "warning: not in the output: " << line << '\n';
@@ -309,23 +584,32 @@ Exit_code run(const Options& options)
   const Labels& labels = input.labels;
   HMO::Status status;
   std::vector<HMO::Iteration> iterations;
+  std::vector<std::string> notes;
   {
     Watcher watcher(options.quiet);
     if (options.merge) {
       Mesh one = merged(mesh);
-      status = optimize(one, input, options, watcher);
+      status = optimize(one, input, options, watcher, notes);
       mesh.merged_into = std::move(one.merged_into);
       for (std::size_t v = 0; v < mesh.points.size(); ++v)
         mesh.points[v] = one.points[mesh.merged_into[v]];
     }
     else
-      status = optimize(mesh, input, options, watcher);
+      status = optimize(mesh, input, options, watcher, notes);
     iterations = watcher.iterations();
   }
   for (std::size_t h : status.turned_hexahedra)
     std::swap_ranges(mesh.hexahedra[h].begin(), mesh.hexahedra[h].begin() + 4, mesh.hexahedra[h].begin() + 4);
 
-  write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+  if (mesh.is_copied)
+    write_copy(mesh, options, status);
+  else
+    write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+  if (!options.quiet) {
+    print_file(mesh, std::cout);
+    for (const std::string& note : notes)
+      std::cout << note << ".\n";
+  }
   if (!options.quiet)
     print_report(status, mesh, labels);
   Json report =
@@ -335,14 +619,15 @@ Exit_code run(const Options& options)
                      {"labels",
                       {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
                        {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
-                     {"lost", lost}},
+                     {"lost", lost},
+                     {"file", json_of_file(mesh, notes)}},
                     iterations);
   std::optional<Report_page> page;
   if (!options.report.empty())
     page = page_of(options, input, mesh, labels);
   if (!options.beside.empty())
     report["beside"] = json_of_beside(options, input.beside, *page,
-                                      labels.values.size() > 1 || !labelled_faces(mesh.attachments).empty());
+                                      labels.values.size() > 1 || !kept_faces(mesh, options).empty());
   if (!options.json.empty())
     write_json(options.json, report);
   if (page)
@@ -357,5 +642,9 @@ int main(int argc, char** argv)
   Options options;
   add_options(app, options);
   options.command = command_line(argc, argv);
+  app.parse_complete_callback([&] {
+    if (options.output.empty() && !options.info)
+      throw CLI::RequiredError("OUTPUT");
+  });
   return run_program(app, argc, argv, [&] { return run(options); });
 }

@@ -182,6 +182,8 @@ struct Mesh
   Points points;
   Hexahedra hexahedra;
   CGAL::IO::Hex_mesh_attachments attachments;
+  Solver_file file;                     // of a solver, if it is one
+  bool is_copied = false;               // to a file of the same format, with the numbering of its hexahedra
   std::vector<std::size_t> merged_into; // another vertex, for each; empty: none is merged
 
   std::size_t number_of_merged() const
@@ -219,9 +221,8 @@ inline void check_output(const std::string& filename)
   check_writable(filename);
 }
 
-inline void check_outputs(const Common_options& o)
+inline void check_reports(const Common_options& o)
 {
-  check_output(o.output);
   for (const std::string& report : {o.json, o.report})
     if (!report.empty())
       check_writable(report);
@@ -260,7 +261,8 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
   if (status.number_of_turned_hexahedra() > 0)
     std::cout << status.number_of_turned_hexahedra()
-              << " hexahedra were numbered inside out: they are written with bottom and top exchanged.\n";
+              << " hexahedra were numbered inside out: they are written "
+              << (mesh.is_copied ? "as they were numbered.\n" : "with bottom and top exchanged.\n");
   if (mesh.number_of_merged() > 0)
     std::cout << mesh.number_of_merged() << " vertices coincide with others and were merged with them.\n";
   if (status.number_of_coincident_vertices > 0)

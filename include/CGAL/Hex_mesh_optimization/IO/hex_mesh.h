@@ -17,6 +17,7 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/hex_mesh_copy.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
 #include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
@@ -49,6 +50,25 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
   throw CGAL::IO::Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
 }
 
+[[noreturn]] inline void refuse_input(const std::string& filename)
+{
+  throw CGAL::IO::Hex_mesh_file_error(filename, 0,
+                                      "the format is unknown: the name must end in .mesh, .vtk, .vtu, .inp, .msh, .bdf, "
+                                      ".nas, .dat, .e, .exo, .g, .ex2 or .med, or be a case of OpenFOAM");
+}
+
+template <class PointRange, class HexahedronRange>
+void read_solver_file(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
+                      CGAL::IO::Hex_mesh_attachments& attachments)
+{
+  const CGAL::IO::Hex_mesh_file file = CGAL::IO::read_hex_mesh_file(filename);
+  Mesh_file_content content;
+  content.points = file.points;
+  content.hexahedra = file.hexahedra;
+  copy_hex_mesh(content, points, hexahedra);
+  attachments = attachments_of(file);
+}
+
 } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 namespace CGAL::IO {
@@ -57,7 +77,8 @@ namespace CGAL::IO {
  * \ingroup PkgHexMeshOptimizationIO
  *
  * reads a hexahedral mesh in the format told by the extension of the file name, in upper or lower case:
- * `.mesh` (`read_medit_hex_mesh()`), `.vtk` (`read_vtk_hex_mesh()`) or `.vtu` (`read_vtu_hex_mesh()`).
+ * `.mesh` (`read_medit_hex_mesh()`), `.vtk` (`read_vtk_hex_mesh()`), `.vtu` (`read_vtu_hex_mesh()`), or the file of a
+ * solver (`read_hex_mesh_file()`, which keeps what is needed to write such a file again).
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -84,7 +105,9 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
     return read_vtk_hex_mesh(filename, points, hexahedra, attachments);
   if (extension == "vtu")
     return read_vtu_hex_mesh(filename, points, hexahedra, attachments);
-  io::refuse_extension(filename);
+  if (is_hex_mesh_file(filename))
+    return io::read_solver_file(filename, points, hexahedra, attachments);
+  io::refuse_input(filename);
 }
 
 /*!
