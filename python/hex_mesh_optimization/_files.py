@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import warnings
 from dataclasses import dataclass, field
-from typing import Any, Tuple, Union
+from typing import Any, Dict, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -36,6 +36,11 @@ class Mesh:
     labels: Array | None = None  #: one integer for each hexahedron
     internal_faces: Array = field(default_factory=lambda: np.empty((0, 4), np.int64))  #: those of the file with a label
     _content: Any = field(default=None, repr=False)
+
+    @property
+    def parameters(self) -> Dict[str, Any]:
+        """What the mesh says of named parameters: optimize(mesh.points, mesh.hexahedra, **mesh.parameters)."""
+        return {"labels": self.labels, "internal_faces": self.internal_faces}
 
 
 def _readable(filename: Union[str, os.PathLike[str]]) -> str:

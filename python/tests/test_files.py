@@ -98,9 +98,7 @@ def test_the_output_is_that_of_the_program(program: Callable[..., None], tmp_pat
         file, out, own = (tmp_path / f"{which}{name}" for which in ("", "program_", "own_"))
         program("optimize_hex_mesh", file, out)
         mesh = hmo.read(file)
-        result, status = hmo.optimize(
-            mesh.points, mesh.hexahedra, labels=mesh.labels, internal_faces=mesh.internal_faces
-        )
+        result, status = hmo.optimize(mesh.points, mesh.hexahedra, **mesh.parameters)
         hmo.write(own, mesh, result, status=status)
         assert own.read_bytes() == out.read_bytes()
 

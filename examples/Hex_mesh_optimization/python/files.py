@@ -3,5 +3,5 @@
 import hex_mesh_optimization as hmo
 
 mesh = hmo.read("tangled.vtk")
-points, status = hmo.optimize(mesh.points, mesh.hexahedra, labels=mesh.labels, internal_faces=mesh.internal_faces)
+points, status = hmo.optimize(mesh.points, mesh.hexahedra, **mesh.parameters)
 hmo.write("repaired.vtk", mesh, points, status=status)
