@@ -24,7 +24,7 @@ __all__ = ["Lost_data_warning", "Mesh", "read", "read_surface", "write"]
 
 
 class Lost_data_warning(UserWarning):
-    """Something of a file could not be read, or cannot be held by the format that is written."""
+    """What a user should know of a file: something could not be read, or the format that is written cannot hold it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +35,15 @@ class Mesh:
     hexahedra: Array
     labels: Array | None = None  #: one integer for each hexahedron
     internal_faces: Array = field(default_factory=lambda: np.empty((0, 4), np.int64))  #: those of the file with a label
+    sets: Dict[str, Array] = field(default_factory=dict)  #: of the file of a solver, the vertices of each by its name
+    notes: Tuple[str, ...] = ()  #: what a user should know of the file
+    _parameters: Dict[str, Any] = field(default_factory=dict, repr=False)
     _content: Any = field(default=None, repr=False)
 
     @property
     def parameters(self) -> Dict[str, Any]:
         """What the mesh says of named parameters: optimize(mesh.points, mesh.hexahedra, **mesh.parameters)."""
-        return {"labels": self.labels, "internal_faces": self.internal_faces}
+        return {"labels": self.labels, "internal_faces": self.internal_faces, **self._parameters}
 
 
 def _readable(filename: Union[str, os.PathLike[str]]) -> str:
@@ -56,10 +59,17 @@ def read(filename: Union[str, os.PathLike[str]], *, label_array: str | None = No
     label_array: the cell array of a VTK file with the labels of the hexahedra; by its name if not given.
     """
     content = _engine.read(_readable(filename), label_array or "")
-    for line in content["left_out"]:
+    for line in content["notes"]:
         warnings.warn(f"{os.fspath(filename)}: {line}", Lost_data_warning, stacklevel=2)
     return Mesh(
-        content["points"], content["hexahedra"], content["labels"], content["internal_faces"], content["content"]
+        content["points"],
+        content["hexahedra"],
+        content["labels"],
+        content["internal_faces"],
+        content["sets"],
+        tuple(content["notes"]),
+        content["parameters"],
+        content["content"],
     )
 
 
@@ -81,7 +91,8 @@ def write(
     points: in the place of those of the mesh.
     status: of optimize(); hexahedra that were numbered inside out are written with bottom and top exchanged.
 
-    Warns with Lost_data_warning of what the format cannot hold.
+    The file of a solver is copied if it is written in its own format: nothing changes but the coordinates of points.
+    Warns with Lost_data_warning of what another format cannot hold.
     """
     if isinstance(mesh, tuple):
         mesh = Mesh(arguments.points(mesh[0], "mesh[0]"), arguments.hexahedra(mesh[1], "mesh[1]"))
@@ -100,4 +111,4 @@ def write(
     except Input_error as error:
         raise naming_argument(error, {"HEXAHEDRON": "mesh"}) from None
     for line in lost:
-        warnings.warn(f"not in {os.fspath(filename)}: {line}", Lost_data_warning, stacklevel=2)
+        warnings.warn(f"{os.fspath(filename)}: {line}", Lost_data_warning, stacklevel=2)

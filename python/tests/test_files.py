@@ -103,6 +103,28 @@ def test_the_output_is_that_of_the_program(program: Callable[..., None], tmp_pat
         assert own.read_bytes() == out.read_bytes()
 
 
+def test_the_file_of_a_solver_is_copied(tmp_path: Path, tangled: Mesh) -> None:
+    points, hexahedra = tangled
+    lines = ["*HEADING", "a model", "*NODE, NSET=ALL"]
+    lines += [f"{v + 1}, {x:.17g}, {y:.17g}, {z:.17g}" for v, (x, y, z) in enumerate(points)]
+    lines += ["*ELEMENT, TYPE=C3D8, ELSET=PART"]
+    lines += [", ".join(map(str, [h + 1, *(corners + 1)])) for h, corners in enumerate(hexahedra)]
+    lines += ["*NSET, NSET=HELD", "22, 23", "*BOUNDARY", "HELD, 1, 3", ""]
+    (tmp_path / "model.inp").write_text("\n".join(lines))
+    mesh = hmo.read(tmp_path / "model.inp")
+    assert np.array_equal(mesh.points, points) and np.array_equal(mesh.hexahedra, hexahedra)
+    assert mesh.sets["HELD"].tolist() == [21, 22]
+    result, status = hmo.optimize(mesh.points, mesh.hexahedra, **mesh.parameters)
+    assert status.valid_mesh
+    hmo.write(tmp_path / "better.inp", mesh, result)
+    again = hmo.read(tmp_path / "better.inp")
+    assert np.abs(again.points - result).max() < 1e-6 and len(hmo.invalid(again.points, hexahedra)) == 0
+    others = [(tmp_path / name).read_text(encoding="utf-8").splitlines() for name in ("model.inp", "better.inp")]
+    assert others[0][:3] == others[1][:3] and others[0][3 + len(points) :] == others[1][3 + len(points) :]
+    with pytest.warns(hmo.Lost_data_warning, match="HELD"):
+        hmo.write(tmp_path / "better.vtk", mesh, result)
+
+
 def test_a_surface_is_read(tmp_path: Path) -> None:
     (tmp_path / "t.off").write_text("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
     vertices, triangles = hmo.read_surface(tmp_path / "t.off")
