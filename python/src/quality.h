@@ -4,7 +4,7 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_PYTHON_QUALITY_H
 #define CGAL_HEX_MESH_OPTIMIZATION_PYTHON_QUALITY_H
 
-// Measures of meshes that are arrays: scaled Jacobians, invalid hexahedra, a dictionary of the members of Quality_statistics.
+// Measures of meshes that are arrays: scaled Jacobians, invalid hexahedra, and the members of Quality_statistics.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
