@@ -65,10 +65,7 @@ Points copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output, cons
   return result;
 }
 
-CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file)
-{
-  return io::attachments_of(file);
-}
+CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file) { return io::attachments_of(file); }
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
            const CGAL::IO::Hex_mesh_attachments& attachments)

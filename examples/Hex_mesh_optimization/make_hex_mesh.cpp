@@ -3,6 +3,7 @@
 
 // The command-line program: reads a surface, makes a hexahedral mesh of what it bounds, writes it, and tells how good it is.
 
+#include "boundary_patches.h"
 #include "program.h"
 
 #include <CGAL/make_hex_mesh.h>
@@ -18,9 +19,9 @@
 #include <vector>
 
 const char* const exit_codes =
-  "The format of a surface (.off, .obj, .stl, .ply, .mesh, .vtk, .vtu) and of a mesh (.mesh, .vtk, .vtu) is told by "
-  "the\n"
-  "extension.\n"
+  "The format of a surface (.off, .obj, .stl, .ply, .mesh, .vtk, .vtu) and of a mesh (.mesh, .vtk, .vtu, .inp for\n"
+  "Abaqus and CalculiX, .msh for Gmsh, .e or .exo for Exodus II) is told by the extension. In files of solvers, each\n"
+  "smooth patch of the boundary is a named set of faces.\n"
   "Interrupted (Ctrl-C), the program writes the best mesh so far; interrupted twice, it ends without.\n"
   "Vertices, faces and hexahedra are counted from 0.\n"
   "\n"
@@ -142,7 +143,9 @@ Exit_code run(const Options& options)
     iterations = watcher.iterations();
   }
 
-  write(options.output, mesh.points, mesh.hexahedra);
+  if (CGAL::IO::is_hex_mesh_file(options.output)) // a solver applies loads to sets of faces
+    add_patches(mesh, options.features_angle);
+  write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.quiet) {
     print_report(status, mesh);
     if (!status.has_topology_of_surface)

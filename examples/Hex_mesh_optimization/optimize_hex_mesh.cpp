@@ -291,24 +291,24 @@ HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Fre
   const std::set<std::size_t> frozen = frozen_vertices(mesh, o, freedom);
   const auto faces = freedom.keeps_interfaces ? kept_faces(mesh, o) : std::vector<std::array<std::size_t, 4>>();
   const bool is_exact = o.on_surface || (mesh.file && mesh.file->has_exact_surfaces && !freedom.fixed_boundary);
-  const auto np =
-    common_parameters(o, watcher)
-      .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
-        [&](std::size_t h) { return freedom.keeps_interfaces ? input.labels.number(h) : 0; }))
-      .internal_faces(faces)
-      .interface_references(input.interfaces)
-      .periodic_vertices(periodic_vertices(mesh, freedom))
-      .fixed_boundary(freedom.fixed_boundary)
-      .boundary_placement(is_exact ? HMO::Boundary_placement::ON_SURFACE : HMO::Boundary_placement::WITHIN_TOLERANCE)
-      .maximum_running_time(time_limit)
-      .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
-      .optimization_method(o.method == "full"            ? HMO::Method::FULL
-                           : o.method == "rectification" ? HMO::Method::RECTIFICATION
-                                                         : HMO::Method::MAXIMIZATION)
-      .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
-                                                     : HMO::Target_edge_lengths::ESTIMATED)
-      .number_of_iterations(o.iterations)
-      .number_of_restarts(o.restarts);
+  const auto np = common_parameters(o, watcher)
+                    .hexahedron_label_map(boost::make_function_property_map<std::size_t>(
+                      [&](std::size_t h) { return freedom.keeps_interfaces ? input.labels.number(h) : 0; }))
+                    .internal_faces(faces)
+                    .interface_references(input.interfaces)
+                    .periodic_vertices(periodic_vertices(mesh, freedom))
+                    .fixed_boundary(freedom.fixed_boundary)
+                    .boundary_placement(is_exact ? HMO::Boundary_placement::ON_SURFACE
+                                                 : HMO::Boundary_placement::WITHIN_TOLERANCE)
+                    .maximum_running_time(time_limit)
+                    .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
+                    .optimization_method(o.method == "full"            ? HMO::Method::FULL
+                                         : o.method == "rectification" ? HMO::Method::RECTIFICATION
+                                                                       : HMO::Method::MAXIMIZATION)
+                    .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
+                                                                   : HMO::Target_edge_lengths::ESTIMATED)
+                    .number_of_iterations(o.iterations)
+                    .number_of_restarts(o.restarts);
   try {
     return in_threads(o.threads, [&] {
       using Tag = CGAL::Parallel_if_available_tag;
@@ -347,7 +347,8 @@ std::vector<Freedom> freedoms(const Mesh& mesh, const Options& o)
 }
 
 // Of those that are tried, the one that is done last is the first that is valid, or the best.
-HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& watcher, std::vector<std::string>& notes)
+HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, Watcher& watcher,
+                     std::vector<std::string>& notes)
 {
   const auto start = std::chrono::steady_clock::now();
   const Points given = mesh.points;

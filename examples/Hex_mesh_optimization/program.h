@@ -215,8 +215,7 @@ inline void check_writable(const std::string& filename)
 
 inline void check_output(const std::string& filename)
 {
-  const std::string extension = CGAL::Hex_mesh_optimization::internal::IO::extension_of(filename);
-  if (extension != "mesh" && extension != "vtk" && extension != "vtu")
+  if (!CGAL::Hex_mesh_optimization::internal::IO::is_output_format(filename))
     CGAL::Hex_mesh_optimization::internal::IO::refuse_extension(filename);
   check_writable(filename);
 }
@@ -260,8 +259,7 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
               << row.after << '\n';
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
   if (status.number_of_turned_hexahedra() > 0)
-    std::cout << status.number_of_turned_hexahedra()
-              << " hexahedra were numbered inside out: they are written "
+    std::cout << status.number_of_turned_hexahedra() << " hexahedra were numbered inside out: they are written "
               << (mesh.is_copied ? "as they were numbered.\n" : "with bottom and top exchanged.\n");
   if (mesh.number_of_merged() > 0)
     std::cout << mesh.number_of_merged() << " vertices coincide with others and were merged with them.\n";

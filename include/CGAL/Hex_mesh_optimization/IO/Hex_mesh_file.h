@@ -86,9 +86,9 @@ struct Hex_mesh_file
   /// whether points of the boundary have to stay on it exactly: planes of symmetry, the sides of a plane case
   bool has_exact_surfaces = false;
 
-  std::size_t number_of_other_solids = 0;          ///< tetrahedra, wedges, pyramids, ...: their points are held
-  std::size_t number_of_high_order_hexahedra = 0;  ///< with more than eight nodes
-  std::vector<std::string> notes;                  ///< what a user should know
+  std::size_t number_of_other_solids = 0;         ///< tetrahedra, wedges, pyramids, ...: their points are held
+  std::size_t number_of_high_order_hexahedra = 0; ///< with more than eight nodes
+  std::vector<std::string> notes;                 ///< what a user should know
 
   std::shared_ptr<const Hex_mesh_optimization::internal::IO::Coordinate_places> places;
 

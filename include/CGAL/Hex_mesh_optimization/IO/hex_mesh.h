@@ -18,6 +18,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh_copy.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Solver_output.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
 #include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
@@ -47,14 +48,52 @@ using No_linear_cell_complex = std::enable_if_t<!Is_linear_cell_complex<Type>::v
 
 [[noreturn]] inline void refuse_extension(const std::string& filename)
 {
-  throw CGAL::IO::Hex_mesh_file_error(filename, 0, "the format is unknown: the name must end in .mesh, .vtk or .vtu");
+  throw CGAL::IO::Hex_mesh_file_error(
+    filename, 0, "the format is unknown: the name must end in .mesh, .vtk, .vtu, .inp, .msh, .e, .exo, .g or .ex2");
+}
+
+// Whether write_hex_mesh() knows the format.
+inline bool is_output_format(const std::string& filename)
+{
+  const std::string extension = extension_of(filename);
+  for (const char* known : {"mesh", "vtk", "vtu", "inp", "msh", "e", "exo", "g", "ex2"})
+    if (extension == known)
+      return true;
+  return false;
+}
+
+template <class PointRange, class HexahedronRange>
+void write_for_solver(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
+                      const CGAL::IO::Hex_mesh_attachments& attachments)
+{
+  std::vector<std::array<double, 3>> coordinates_of;
+  for (const auto& p : points)
+    coordinates_of.push_back(coordinates(p));
+  std::vector<std::array<std::size_t, 8>> corners;
+  for (const auto& h : hexahedra) {
+    corners.emplace_back();
+    for (std::size_t c = 0; c < 8; ++c)
+      corners.back()[c] = static_cast<std::size_t>(h[c]);
+  }
+  if (!attachments.hexahedron_labels.empty() && attachments.hexahedron_labels.size() != corners.size())
+    throw CGAL::IO::Hex_mesh_file_error(filename, 0, "there is not one label for each hexahedron");
+  const Solver_output output(std::move(coordinates_of), std::move(corners), attachments.hexahedron_labels,
+                             attachments.labelled_quadrilaterals());
+  const std::string extension = extension_of(filename);
+  if (extension == "inp")
+    write_abaqus(filename, output);
+  else if (extension == "msh")
+    write_gmsh(filename, output);
+  else
+    write_exodus(filename, output);
 }
 
 [[noreturn]] inline void refuse_input(const std::string& filename)
 {
-  throw CGAL::IO::Hex_mesh_file_error(filename, 0,
-                                      "the format is unknown: the name must end in .mesh, .vtk, .vtu, .inp, .msh, .bdf, "
-                                      ".nas, .dat, .e, .exo, .g, .ex2 or .med, or be a case of OpenFOAM");
+  throw CGAL::IO::Hex_mesh_file_error(
+    filename, 0,
+    "the format is unknown: the name must end in .mesh, .vtk, .vtu, .inp, .msh, .bdf, "
+    ".nas, .dat, .e, .exo, .g, .ex2 or .med, or be a case of OpenFOAM");
 }
 
 template <class PointRange, class HexahedronRange>
@@ -174,7 +213,10 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
  * \ingroup PkgHexMeshOptimizationIO
  *
  * writes a hexahedral mesh in the format told by the extension of the file name, in upper or lower case:
- * `.mesh` (`write_medit_hex_mesh()`), `.vtk` (`write_vtk_hex_mesh()`) or `.vtu` (`write_vtu_hex_mesh()`).
+ * `.mesh` (`write_medit_hex_mesh()`), `.vtk` (`write_vtk_hex_mesh()`) or `.vtu` (`write_vtu_hex_mesh()`); `.inp`
+ * (Abaqus, CalculiX), `.msh` (Gmsh 4.1) or `.e`, `.exo`, `.g`, `.ex2` (Exodus II), where each label of hexahedra is a
+ * block, each label other than 0 of quadrilaterals a set of faces, hexahedra of Exodus are ordered by their blocks, and
+ * the rest of the attachments is lost.
  *
  * Reading the file gives back the same points, bit by bit, and the same hexahedra in the same order. The file appears
  * complete or not at all.
@@ -213,6 +255,8 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
     write_vtk_hex_mesh(filename, points, hexahedra, attachments, np);
   else if (extension == "vtu")
     write_vtu_hex_mesh(filename, points, hexahedra, attachments, np);
+  else if (io::is_output_format(filename))
+    io::write_for_solver(filename, points, hexahedra, attachments);
   else
     io::refuse_extension(filename);
 }

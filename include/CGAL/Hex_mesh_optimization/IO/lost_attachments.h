@@ -41,6 +41,21 @@ inline std::vector<std::string> lost_attachments(const std::string& filename, co
   std::vector<std::string> lost;
   const auto quoted = [](const Array& array) { return " \"" + array.name + '"'; };
   const std::string extension = io::extension_of(filename);
+  if (extension != "mesh" && extension != "vtk" &&
+      extension != "vtu") { // of a solver: labels of cells and faces remain
+    for (const auto* arrays : {&attachments.point_data, &attachments.cell_data, &attachments.field_data})
+      for (const Array& array : *arrays)
+        if (array.name != attachments.label_array || array.name.empty())
+          lost.push_back("the array" + quoted(array));
+    std::size_t other_cells = attachments.other_cells.size();
+    for (const auto& quadrilateral : attachments.labelled_quadrilaterals())
+      other_cells -= quadrilateral.label != 0;
+    if (other_cells > 0)
+      lost.push_back(std::to_string(other_cells) + " cells that are neither hexahedra nor quadrilaterals with a label");
+    if (!attachments.other_sections.empty())
+      lost.push_back("the other sections of the file");
+    return lost;
+  }
   if (extension == "mesh") {
     for (const Array& array : attachments.point_data)
       if (array.name != io::medit_label_name || attachments.vertex_labels.empty())

@@ -158,8 +158,8 @@ private:
       for (char c : lowered(std::string(fields[i].substr(0, equals))))
         if (c != ' ' && c != '\t')
           name += c;
-      parameters[name] =
-        equals == std::string_view::npos ? std::string() : unquoted(trimmed(fields[i].substr(equals + 1)));
+      parameters[name] = equals == std::string_view::npos ? std::string()
+                                                          : unquoted(trimmed(fields[i].substr(equals + 1)));
     }
     if (keyword == "*include")
       return parameters["input"]; // the block goes on
@@ -274,16 +274,16 @@ private:
     while (solid != std::string::npos && digits < type.size() && type[digits] >= '0' && type[digits] <= '9')
       number_of_nodes_ = number_of_nodes_ * 10 + static_cast<std::size_t>(type[digits++] - '0');
     for (const char* of_hexahedra : {"C", "DC", "AC", "F", "FC", "Q", "EC", "EMC", "EDC"})
-      if (prefix == of_hexahedra &&
-          (number_of_nodes_ == 8 || number_of_nodes_ == 20 || number_of_nodes_ == 27)) {
+      if (prefix == of_hexahedra && (number_of_nodes_ == 8 || number_of_nodes_ == 20 || number_of_nodes_ == 27)) {
         kind_ = Cell_kind::HEXAHEDRON;
         vtk_type_ = 12;
         return;
       }
     for (const char* of_lower :
-         {"T3D", "B2", "B3", "U1", "S3", "S4", "S6", "S8", "S9", "STRI", "M3D", "R3D", "SFM", "DS", "CONN", "SPRING",
-          "DASHPOT", "MASS", "ROTARY", "GAP", "PIPE", "ELBOW", "FRAME", "CPS", "CPE", "CAX", "AX", "ITT", "DCOUP",
-          "RAX", "RB", "D", "MCL", "SAX", "F3D2", "F3D3", "F3D4", "F2D", "AC2D", "HEATCAP", "POINT"})
+         {"T3D",   "B2",   "B3",   "U1",   "S3",     "S4",      "S6",      "S8",     "S9",  "STRI", "M3D",
+          "R3D",   "SFM",  "DS",   "CONN", "SPRING", "DASHPOT", "MASS",    "ROTARY", "GAP", "PIPE", "ELBOW",
+          "FRAME", "CPS",  "CPE",  "CAX",  "AX",     "ITT",     "DCOUP",   "RAX",    "RB",  "D",    "MCL",
+          "SAX",   "F3D2", "F3D3", "F3D4", "F2D",    "AC2D",    "HEATCAP", "POINT"})
       if (type.compare(0, std::string(of_lower).size(), of_lower) == 0 &&
           !(type[0] == 'D' && type.compare(0, 4, "DC3D") == 0))
         kind_ = Cell_kind::OTHER;
@@ -361,8 +361,8 @@ private:
     const std::size_t v = mesh_.points.size();
     places_->places.push_back(places);
     places_->frame_of.push_back(node_frame_);
-    mesh_.points.push_back(
-      node_frame_ < 0 ? point : places_->frames[static_cast<std::size_t>(node_frame_)].to_basic(point));
+    mesh_.points.push_back(node_frame_ < 0 ? point
+                                           : places_->frames[static_cast<std::size_t>(node_frame_)].to_basic(point));
     scope_->points[number] = v;
     if (set_ != nullptr)
       set_->members.push_back(v);
@@ -498,8 +498,7 @@ private:
 
   static Coordinate_frame translated(const std::array<double, 3>& o)
   {
-    return Coordinate_frame(Coordinate_frame::Kind::RECTANGULAR, o, {{o[0], o[1], o[2] + 1}},
-                            {{o[0] + 1, o[1], o[2]}});
+    return Coordinate_frame(Coordinate_frame::Kind::RECTANGULAR, o, {{o[0], o[1], o[2] + 1}}, {{o[0] + 1, o[1], o[2]}});
   }
 
   // An origin, a point of the first axis, and one of the plane of the first two.
@@ -519,8 +518,8 @@ private:
     for (const Pending& p : pending_) {
       const auto found = p.scope->points.find(p.node);
       if (found == p.scope->points.end())
-        places_->files[p.file].fail(p.line, "an element refers to node " + std::to_string(p.node) +
-                                              ", which does not exist");
+        places_->files[p.file].fail(p.line,
+                                    "an element refers to node " + std::to_string(p.node) + ", which does not exist");
       mesh_.nodes[mesh_.cells[p.cell].begin + p.place] = found->second;
     }
     static const int sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
@@ -534,8 +533,7 @@ private:
         mesh_.add_set_of_cells(set.name, set.members);
     }
     for (Surface& surface : surfaces_) {
-      CGAL::IO::Hex_mesh_set& set =
-        mesh_.add_set(surface.is_of_nodes ? Kind::VERTICES : Kind::FACES, surface.name);
+      CGAL::IO::Hex_mesh_set& set = mesh_.add_set(surface.is_of_nodes ? Kind::VERTICES : Kind::FACES, surface.name);
       set.faces = std::move(surface.faces);
       set.vertices = std::move(surface.vertices);
     }

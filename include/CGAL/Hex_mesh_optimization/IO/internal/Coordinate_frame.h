@@ -30,7 +30,8 @@ public:
 
   // `on_axis`: a point of the third axis; `in_plane`: one of the half-plane of the first and the third.
   Coordinate_frame(Kind kind, const Triple& origin, const Triple& on_axis, const Triple& in_plane)
-    : kind_(kind), origin_(origin)
+    : kind_(kind)
+    , origin_(origin)
   {
     const Triple z = unit(difference(on_axis, origin));
     const Triple y = unit(cross(z, difference(in_plane, origin)));

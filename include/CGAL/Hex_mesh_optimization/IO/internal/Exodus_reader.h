@@ -203,7 +203,9 @@ class Netcdf_places : public Coordinate_places
 {
 public:
   Netcdf_places(const std::string& filename, const std::vector<std::string>& variables, bool is_single)
-    : filename_(filename), variables_(variables), is_single_(is_single)
+    : filename_(filename)
+    , variables_(variables)
+    , is_single_(is_single)
   {}
 
   Triple rounded(std::size_t, const Triple& before, const Triple& after) const override
@@ -412,8 +414,8 @@ private:
     const std::vector<std::int64_t> ids = file_.integers("ns_prop1");
     const std::vector<std::string> names = file_.names("ns_names");
     for (std::size_t s = 0; s < file_.dimension("num_node_sets"); ++s) {
-      CGAL::IO::Hex_mesh_set& set =
-        mesh_.add_set(CGAL::IO::Hex_mesh_set::Kind::VERTICES, title("node set ", s, ids, names));
+      CGAL::IO::Hex_mesh_set& set = mesh_.add_set(CGAL::IO::Hex_mesh_set::Kind::VERTICES,
+                                                  title("node set ", s, ids, names));
       for (std::int64_t node : file_.integers("node_ns" + std::to_string(s + 1)))
         if (node >= 1 && static_cast<std::size_t>(node) <= mesh_.points.size())
           set.vertices.push_back(static_cast<std::size_t>(node) - 1);
@@ -428,8 +430,8 @@ private:
     for (std::size_t s = 0; s < file_.dimension("num_side_sets"); ++s) {
       const std::vector<std::int64_t> elements = file_.integers("elem_ss" + std::to_string(s + 1)),
                                       numbers = file_.integers("side_ss" + std::to_string(s + 1));
-      CGAL::IO::Hex_mesh_set& set =
-        mesh_.add_set(CGAL::IO::Hex_mesh_set::Kind::FACES, title("side set ", s, ids, names));
+      CGAL::IO::Hex_mesh_set& set = mesh_.add_set(CGAL::IO::Hex_mesh_set::Kind::FACES,
+                                                  title("side set ", s, ids, names));
       set.size = elements.size();
       for (std::size_t i = 0; i < std::min(elements.size(), numbers.size()); ++i) {
         if (elements[i] < 1 || static_cast<std::size_t>(elements[i]) > mesh_.cells.size())

@@ -188,8 +188,7 @@ public:
     if (header("class") == "faceCompactList") {
       const std::vector<std::int64_t> offsets = labels(), corners = labels();
       for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
-        if (offsets[f] < 0 || offsets[f + 1] < offsets[f] ||
-            static_cast<std::size_t>(offsets[f + 1]) > corners.size())
+        if (offsets[f] < 0 || offsets[f + 1] < offsets[f] || static_cast<std::size_t>(offsets[f + 1]) > corners.size())
           fail("face " + std::to_string(f) + " has no corners in the list");
         result.emplace_back(corners.begin() + offsets[f], corners.begin() + offsets[f + 1]);
       }
@@ -225,8 +224,7 @@ private:
     skip(label_size_);
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < label_size_; ++i)
-      value = value << 8 |
-              static_cast<unsigned char>(text_[is_big_ ? begin + i : begin + label_size_ - 1 - i]);
+      value = value << 8 | static_cast<unsigned char>(text_[is_big_ ? begin + i : begin + label_size_ - 1 - i]);
     return label_size_ == 4 ? static_cast<std::int32_t>(static_cast<std::uint32_t>(value))
                             : static_cast<std::int64_t>(value);
   }

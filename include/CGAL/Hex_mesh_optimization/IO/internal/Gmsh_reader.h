@@ -409,8 +409,7 @@ private:
     for (std::uint64_t b = 0; b < blocks; ++b) {
       const std::int32_t first = integer(), second = integer(), type = integer();
       const std::uint64_t n = size_number();
-      const std::vector<std::int64_t> groups =
-        version_ >= 4.05 ? groups_of(first, second) : groups_of(second, first);
+      const std::vector<std::int64_t> groups = version_ >= 4.05 ? groups_of(first, second) : groups_of(second, first);
       const std::size_t nodes = gmsh_number_of_nodes(type);
       if (nodes == 0)
         fail("elements of type " + std::to_string(type) + " are not supported");
@@ -446,8 +445,7 @@ private:
       nodes.push_back(found->second);
     }
     const std::int64_t label = groups.empty() ? 0 : groups[0];
-    const Cell_kind kind =
-      is_hexahedron ? Cell_kind::HEXAHEDRON : dimension == 3 ? Cell_kind::SOLID : Cell_kind::OTHER;
+    const Cell_kind kind = is_hexahedron ? Cell_kind::HEXAHEDRON : dimension == 3 ? Cell_kind::SOLID : Cell_kind::OTHER;
     const std::size_t cell = mesh_.add_cell(kind, gmsh_vtk_type(type), label, nodes);
     for (std::int64_t group : groups)
       if (group != 0)

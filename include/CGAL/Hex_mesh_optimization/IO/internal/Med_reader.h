@@ -282,7 +282,9 @@ class Med_reader
 {
 public:
   explicit Med_reader(const std::string& filename)
-    : filename_(filename), file_(filename, false), places_(std::make_shared<Med_places>(filename))
+    : filename_(filename)
+    , file_(filename, false)
+    , places_(std::make_shared<Med_places>(filename))
   {}
 
   CGAL::IO::Hex_mesh_file read()
@@ -319,17 +321,17 @@ private:
 
   static const Kind* kind_of(const std::string& name)
   {
-    static const Kind kinds[] = {{"HE8", 8, Cell_kind::HEXAHEDRON, 12},   {"H20", 20, Cell_kind::HEXAHEDRON, 12},
-                                 {"H27", 27, Cell_kind::HEXAHEDRON, 12},  {"HEXA8", 8, Cell_kind::HEXAHEDRON, 12},
-                                 {"TE4", 4, Cell_kind::SOLID, 10},        {"T10", 10, Cell_kind::SOLID, 0},
-                                 {"PE6", 6, Cell_kind::SOLID, 13},        {"P15", 15, Cell_kind::SOLID, 0},
-                                 {"P18", 18, Cell_kind::SOLID, 0},        {"PY5", 5, Cell_kind::SOLID, 14},
-                                 {"P13", 13, Cell_kind::SOLID, 0},        {"O12", 12, Cell_kind::SOLID, 0},
-                                 {"QU4", 4, Cell_kind::OTHER, 9},         {"QU8", 8, Cell_kind::OTHER, 23},
-                                 {"QU9", 9, Cell_kind::OTHER, 28},        {"TR3", 3, Cell_kind::OTHER, 5},
-                                 {"TR6", 6, Cell_kind::OTHER, 22},        {"TR7", 7, Cell_kind::OTHER, 0},
-                                 {"SE2", 2, Cell_kind::OTHER, 3},         {"SE3", 3, Cell_kind::OTHER, 21},
-                                 {"SE4", 4, Cell_kind::OTHER, 0},         {"PO1", 1, Cell_kind::OTHER, 1}};
+    static const Kind kinds[] = {{"HE8", 8, Cell_kind::HEXAHEDRON, 12},  {"H20", 20, Cell_kind::HEXAHEDRON, 12},
+                                 {"H27", 27, Cell_kind::HEXAHEDRON, 12}, {"HEXA8", 8, Cell_kind::HEXAHEDRON, 12},
+                                 {"TE4", 4, Cell_kind::SOLID, 10},       {"T10", 10, Cell_kind::SOLID, 0},
+                                 {"PE6", 6, Cell_kind::SOLID, 13},       {"P15", 15, Cell_kind::SOLID, 0},
+                                 {"P18", 18, Cell_kind::SOLID, 0},       {"PY5", 5, Cell_kind::SOLID, 14},
+                                 {"P13", 13, Cell_kind::SOLID, 0},       {"O12", 12, Cell_kind::SOLID, 0},
+                                 {"QU4", 4, Cell_kind::OTHER, 9},        {"QU8", 8, Cell_kind::OTHER, 23},
+                                 {"QU9", 9, Cell_kind::OTHER, 28},       {"TR3", 3, Cell_kind::OTHER, 5},
+                                 {"TR6", 6, Cell_kind::OTHER, 22},       {"TR7", 7, Cell_kind::OTHER, 0},
+                                 {"SE2", 2, Cell_kind::OTHER, 3},        {"SE3", 3, Cell_kind::OTHER, 21},
+                                 {"SE4", 4, Cell_kind::OTHER, 0},        {"PO1", 1, Cell_kind::OTHER, 1}};
     for (const Kind& kind : kinds)
       if (name == kind.name)
         return &kind;

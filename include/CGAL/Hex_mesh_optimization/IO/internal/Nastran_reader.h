@@ -160,7 +160,9 @@ private:
   {
     namespace fs = std::filesystem;
     std::string name(trimmed(line.substr(7)));
-    const auto is_open = [&name] { return (name[0] == '\'' || name[0] == '"') && name.find(name[0], 1) == std::string::npos; };
+    const auto is_open = [&name] {
+      return (name[0] == '\'' || name[0] == '"') && name.find(name[0], 1) == std::string::npos;
+    };
     while (!name.empty() && is_open() && position < text.size())
       name += trimmed(next_line(text, position));
     name = unquoted(name);
@@ -212,7 +214,8 @@ private:
     for (const std::string_view part : parts) {
       Field field;
       field.text = trimmed(part);
-      field.begin = begin + static_cast<std::size_t>((field.text.empty() ? part.data() : field.text.data()) - line.data());
+      field.begin = begin +
+                    static_cast<std::size_t>((field.text.empty() ? part.data() : field.text.data()) - line.data());
       field.length = field.text.size();
       field.width = is_large || field.length > 8 ? 16 : 8;
       field.form = Number_place::Form::NASTRAN_FREE;
@@ -224,8 +227,8 @@ private:
   // Columns, with tabs as far as the next field.
   static std::vector<Field> columns(std::string_view line, std::size_t begin, bool& is_large)
   {
-    is_large = line[0] == '*' || trimmed(line.substr(0, std::min<std::size_t>(8, line.find('\t')))).find('*') !=
-                                   std::string_view::npos;
+    is_large = line[0] == '*' ||
+               trimmed(line.substr(0, std::min<std::size_t>(8, line.find('\t')))).find('*') != std::string_view::npos;
     const std::size_t width = is_large ? 16 : 8;
     const bool has_tabs = line.find('\t') != std::string_view::npos;
     std::vector<Field> result(is_large ? 5 : 9);
@@ -277,8 +280,7 @@ private:
   double real(std::size_t field) const
   {
     double value = 0;
-    if (field < card_.fields.size() &&
-        (!parse_solver_number(card_.fields[field].text, value) || !std::isfinite(value)))
+    if (field < card_.fields.size() && (!parse_solver_number(card_.fields[field].text, value) || !std::isfinite(value)))
       fail("a number is expected in " + card_.name + ", not \"" + Text_scanner::printable(card_.fields[field].text) +
            '"');
     return value;
@@ -476,16 +478,15 @@ private:
         else if (element.nodes[i] == 0 && i >= 8 && element.kind == Cell_kind::HEXAHEDRON)
           nodes.push_back(nodes[0]); // left out
         else if (element.kind == Cell_kind::HEXAHEDRON)
-          places_->files[element.file].fail(element.line, "CHEXA " + std::to_string(element.number) +
-                                                            " refers to grid point " +
-                                                            std::to_string(element.nodes[i]) + ", which does not exist");
+          places_->files[element.file].fail(element.line,
+                                            "CHEXA " + std::to_string(element.number) + " refers to grid point " +
+                                              std::to_string(element.nodes[i]) + ", which does not exist");
       }
       if (element.kind == Cell_kind::HEXAHEDRON && nodes.size() > 8)
         nodes.resize(20, nodes[0]);
       static const std::map<int, std::size_t> corners = {{10, 4}, {13, 6}, {14, 5}, {9, 4}, {5, 3}, {3, 2}, {12, 0}};
       const bool is_plain = nodes.size() == corners.at(element.vtk_type) || element.kind == Cell_kind::HEXAHEDRON;
-      const std::size_t cell =
-        mesh_.add_cell(element.kind, is_plain ? element.vtk_type : 0, element.property, nodes);
+      const std::size_t cell = mesh_.add_cell(element.kind, is_plain ? element.vtk_type : 0, element.property, nodes);
       by_property_[element.property].push_back(cell);
     }
   }

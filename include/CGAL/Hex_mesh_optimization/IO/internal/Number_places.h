@@ -54,9 +54,9 @@ struct Source_file
 
   std::size_t line_of(std::size_t position) const
   {
-    return 1 + static_cast<std::size_t>(std::count(
-                 content.begin(), content.begin() + static_cast<std::ptrdiff_t>(std::min(position, content.size())),
-                 '\n'));
+    return 1 + static_cast<std::size_t>(
+                 std::count(content.begin(),
+                            content.begin() + static_cast<std::ptrdiff_t>(std::min(position, content.size())), '\n'));
   }
 
   [[noreturn]] void fail(std::size_t position, const std::string& reason) const

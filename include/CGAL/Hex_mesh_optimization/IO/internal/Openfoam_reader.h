@@ -45,8 +45,8 @@ public:
   {
     const std::vector<std::filesystem::path> meshes = find_meshes();
     if (meshes.empty())
-      throw CGAL::IO::Hex_mesh_file_error(folder_, 0,
-                                          "the folder is no case of OpenFOAM: there is no constant/polyMesh with faces");
+      throw CGAL::IO::Hex_mesh_file_error(
+        folder_, 0, "the folder is no case of OpenFOAM: there is no constant/polyMesh with faces");
     mesh_.format = "OpenFOAM";
     for (const std::filesystem::path& mesh : meshes)
       read_mesh(mesh);
@@ -76,8 +76,7 @@ private:
 
   static bool is_mesh(const Path& folder)
   {
-    return !file_in(folder, "points").empty() && !file_in(folder, "faces").empty() &&
-           !file_in(folder, "owner").empty();
+    return !file_in(folder, "points").empty() && !file_in(folder, "faces").empty() && !file_in(folder, "owner").empty();
   }
 
   static std::vector<Path> folders_in(const Path& folder)
@@ -163,7 +162,7 @@ private:
   {
     const std::string relative = folder.parent_path().lexically_relative(folder_).string();
     return relative == "constant" || relative == "." || relative == ".." || relative.empty() ? std::string()
-                                                                                            : relative + "/";
+                                                                                             : relative + "/";
   }
 
   void read_points(std::size_t f)

@@ -36,7 +36,9 @@ public:
 
   // `moved`: all points, of which only those of corners of hexahedra matter.
   Placed_points(const CGAL::IO::Hex_mesh_file& file, const std::vector<Triple>& moved)
-    : file_(file), wanted_(moved), points_(moved)
+    : file_(file)
+    , wanted_(moved)
+    , points_(moved)
   {
     bool is_exact = true;
     for (std::size_t v = 0; v < points_.size(); ++v) {

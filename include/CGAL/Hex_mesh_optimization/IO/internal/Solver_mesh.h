@@ -37,7 +37,8 @@ enum class Cell_kind {
 };
 
 // The faces of a hexahedron, in the order of VTK.
-constexpr int hexahedron_faces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+constexpr int hexahedron_faces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                        {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
 class Solver_mesh
 {

@@ -109,9 +109,8 @@ private:
       int vtk_type;
     };
     static const std::map<std::string, Kind> kinds = {
-      {"hex", {8, Cell_kind::HEXAHEDRON, 12}}, {"tet", {4, Cell_kind::SOLID, 10}},
-      {"prism", {6, Cell_kind::SOLID, 13}},    {"pyr", {5, Cell_kind::SOLID, 0}},
-      {"quad", {4, Cell_kind::OTHER, 9}},      {"tri", {3, Cell_kind::OTHER, 5}},
+      {"hex", {8, Cell_kind::HEXAHEDRON, 12}}, {"tet", {4, Cell_kind::SOLID, 10}}, {"prism", {6, Cell_kind::SOLID, 13}},
+      {"pyr", {5, Cell_kind::SOLID, 0}},       {"quad", {4, Cell_kind::OTHER, 9}}, {"tri", {3, Cell_kind::OTHER, 5}},
       {"line", {2, Cell_kind::OTHER, 3}},      {"pt", {1, Cell_kind::OTHER, 1}}};
     scanner.integer("the number of a cell");
     const std::int64_t material = scanner.integer("the material of a cell");

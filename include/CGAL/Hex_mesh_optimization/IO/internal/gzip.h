@@ -27,10 +27,7 @@
 
 namespace CGAL::Hex_mesh_optimization::internal::IO {
 
-inline bool is_gzip(std::string_view bytes)
-{
-  return bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
-}
+inline bool is_gzip(std::string_view bytes) { return bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b'; }
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB
 
