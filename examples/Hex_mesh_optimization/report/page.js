@@ -59,7 +59,8 @@ function fillHeader() {
       : `The bound of the deviation is not ${status_.deviation.maximum > status_.deviation_bound ? "" : "shown to be "}met`);
   if (status_.has_topology_of_surface === false)
     say(false, "Not the topology of the surface");
-  byId("verdict").append(element("span", {}, `Stopped after ${plural(status_.iterations, "iteration", "iterations")}: ${data.why_it_stopped}.`));
+  if (data.why_it_stopped)
+    byId("verdict").append(element("span", {}, `Stopped after ${plural(status_.iterations, "iteration", "iterations")}: ${data.why_it_stopped}.`));
 }
 
 function fillSummary() {
