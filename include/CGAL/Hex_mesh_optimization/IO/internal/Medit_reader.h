@@ -149,6 +149,8 @@ private:
     else if (wanted_ == Wanted_cells::POLYGONS) {
       if (name == "Triangles" || name == "Quadrilaterals")
         read_polygons(section, scanner, name == "Triangles" ? 3 : 4);
+      else if (name == "Hexahedra") // they tell which polygons are within
+        read_hexahedra(section, scanner);
     }
     else if (name == "Hexahedra")
       read_hexahedra(section, scanner);

@@ -36,15 +36,19 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
       content.polygons.back().push_back(vertices[c]);
   };
 
+  const auto add_hexahedron = [&] {
+    content.hexahedra.emplace_back();
+    for (std::size_t c = 0; c < 8; ++c) // a voxel has the corners of a box in lexicographic order
+      content.hexahedra.back()[c] = vertices[type == 11 && c % 4 > 1 ? 5 - c % 4 + (c & 4) : c];
+  };
+
   if (wanted == Wanted_cells::HEXAHEDRA) {
     switch (type) {
-    case 11: // a voxel: the corners of a box in lexicographic order
+    case 11:
     case 12:
       if (size != 8)
         return has_other_size_than(8);
-      content.hexahedra.emplace_back();
-      for (std::size_t c = 0; c < 8; ++c)
-        content.hexahedra.back()[c] = vertices[type == 11 && c % 4 > 1 ? 5 - c % 4 + (c & 4) : c];
+      add_hexahedron();
       return std::string();
     // Cells of lower dimension, from the empty cell to the polygon on a Bezier surface.
     case 0:
@@ -122,6 +126,11 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
     return std::string();
   case 7:
     content.polygons.emplace_back(vertices, vertices + size);
+    return std::string();
+  case 11:
+  case 12: // they tell which polygons are within
+    if (size == 8)
+      add_hexahedron();
     return std::string();
   default:
     return std::string();
