@@ -19,6 +19,11 @@ void read(const std::string& filename, Points& points, Hexahedra& hexahedra,
 
 void read(const std::string& filename, Surface& surface) { CGAL::IO::read_surface(filename, surface); }
 
+void read(const std::string& filename, Soup& soup)
+{
+  CGAL::IO::read_triangle_soup(filename, soup.points, soup.triangles);
+}
+
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
            const CGAL::IO::Hex_mesh_attachments& attachments)
 {

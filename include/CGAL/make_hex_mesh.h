@@ -24,6 +24,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Joined_status.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/optimize_hex_mesh.h>
@@ -31,6 +32,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -61,19 +63,33 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   return p;
 }
 
+// Bodies are optimized one after the other, each with its own surface for a reference: what is near is not mistaken for it.
 template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
-Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& parameters, PointRange& points,
+Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& meshing, PointRange& points,
                          HexahedronRange& hexahedra, const NamedParameters& np)
 {
-  Meshed_surface mesh = mesh_surface(surface, parameters);
-  PointRange new_points;
-  HexahedronRange new_hexahedra;
-  assign_index_ranges(mesh.points, mesh.hexahedra, new_points, new_hexahedra);
+  const double seconds = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::maximum_running_time), Chosen_parameters().maximum_running_time);
+  Meshed_solid solid = mesh_solid(surface, meshing);
   Meshing_status status;
-  static_cast<Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra, &surface, np);
-  static_cast<Voxel_status&>(status) = std::move(mesh.status);
-  points = std::move(new_points);
-  hexahedra = std::move(new_hexahedra);
+  status.surface = solid.report;
+  status.number_of_bodies = solid.bodies.size();
+  status.number_of_hexahedra_wanted = meshing.spacing > 0 ? 0 : meshing.number_of_hexahedra;
+  Joined_status joined(solid.diagonal);
+  for (Meshed_body& body : solid.bodies) {
+    PointRange of_body;
+    HexahedronRange corners;
+    assign_index_ranges(body.points, body.hexahedra, of_body, corners);
+    const Status optimized = optimize_ranges<ConcurrencyTag>(
+      of_body, corners, &body.surface,
+      np.maximum_running_time((std::max)(0., seconds - joined.status.total_seconds)));
+    joined.add(optimized, std::move(body.status), engine_positions(of_body), engine_hexahedra(corners), body.area);
+    status.euler_characteristic += body.euler_characteristic;
+  }
+  joined.finish();
+  static_cast<Status&>(status) = std::move(joined.status);
+  static_cast<Voxel_status&>(status) = std::move(joined.of_grids);
+  assign_index_ranges(joined.points, joined.hexahedra, points, hexahedra);
   return status;
 }
 
@@ -163,8 +179,8 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
   Hex_mesh_optimization::Meshing_status status;
   if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>() &&
                 accepts_parameters_of_new_mesh<NamedParameters>()) {
-    const Meshing_parameters parameters = meshing_parameters(np);
-    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), parameters, points, hexahedra, np);
+    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), meshing_parameters(np), points, hexahedra,
+                                       np);
   }
   return status;
 }
@@ -201,9 +217,8 @@ make_hex_mesh(const SurfacePointRange& surface_points, const TriangleRange& surf
   Hex_mesh_optimization::Meshing_status status;
   if constexpr (accepts_soup<SurfacePointRange, TriangleRange>() && accepts_edges_of_soup<NamedParameters>() &&
                 accepts_new_mesh<PointRange, HexahedronRange>() && accepts_parameters_of_new_mesh<NamedParameters>()) {
-    const Meshing_parameters parameters = meshing_parameters(np);
-    status = make_mesh<ConcurrencyTag>(triangle_soup_to_reference(surface_points, surface_triangles, np), parameters,
-                                       points, hexahedra, np);
+    status = make_mesh<ConcurrencyTag>(any_triangles_to_reference(surface_points, surface_triangles, np),
+                                       meshing_parameters(np), points, hexahedra, np);
   }
   return status;
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Patch_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_annealing.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
@@ -37,6 +38,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -57,9 +59,9 @@ public:
       make(voxels(parameters.spacing), parameters.spacing);
       return;
     }
-    // the volume in cells, and a layer on a surface of steps, which is larger
-    const double larger = 1.4;
-    double h = solved([&](double s) { return volume() / (s * s * s) + larger * area() / (s * s); });
+    const double volume = enclosed_volume(reference.points, reference.triangles);
+    const double area = surface_area(reference.points, reference.triangles);
+    double h = spacing_for(volume, area, wanted_);
     measure_walls(h);
     h = thin_spacing(h);
     double best = h, miss_of_best = std::numeric_limits<double>::infinity();
@@ -87,41 +89,35 @@ public:
   bool has_topology_of_surface = false;    // as far as the Euler characteristic tells
   std::vector<std::size_t> thin_triangles; // with fewer cells between them and the opposite wall than wanted
 
+  // In words, where the cells are too large for the surface to keep its topology, and which would do. The columns of `axes` are
+  // those of the coordinates of the surface in those of the caller.
+  std::string unresolved(const Matrix_3& axes) const
+  {
+    const double volume = enclosed_volume(reference_.points, reference_.triangles);
+    const double area = surface_area(reference_.points, reference_.triangles);
+    std::vector<Triangle_indices> inside_out = reference_.triangles;
+    for (Triangle_indices& t : inside_out)
+      std::swap(t[1], t[2]);
+    const std::vector<Wall_distance> gaps = wall_distances(reference_.points, inside_out, .7 * spacing);
+    const Wall_distance* thinnest = nullptr;
+    bool is_wall = true;
+    for (const std::vector<Wall_distance>* places : {&walls_, &gaps})
+      for (const Wall_distance& p : *places)
+        if (!thinnest || p.distance < thinnest->distance) {
+          thinnest = &p;
+          is_wall = places == &walls_;
+        }
+    std::string text = "the mesh would not have the topology of the surface: with cells about " + in_digits(spacing) +
+                       " long, holes would be closed, or walls have holes, or parts be joined or lost.";
+    if (!thinnest || !(thinnest->distance < 2 * spacing))
+      return text + " A smaller spacing, or a larger number of hexahedra, may do";
+    const double enough = thinnest->distance / 2;
+    return text + " The thinnest " + (is_wall ? "wall" : "gap") + " is " + in_digits(thinnest->distance) + " wide, at " +
+           in_words(axes * thinnest->place) + ": a spacing of " + in_digits(enough) + ", or about " +
+           in_digits(number_for(volume, area, enough)) + " hexahedra, would do";
+  }
+
 private:
-  double area() const
-  {
-    double sum = 0;
-    for (const Triangle_indices& t : reference_.triangles)
-      sum += cross(t).norm() / 2;
-    return sum;
-  }
-
-  double volume() const
-  {
-    double sum = 0;
-    for (const Triangle_indices& t : reference_.triangles)
-      sum += cross(t).dot(reference_.points[t[0]] - box_.center()) / 6;
-    return sum;
-  }
-
-  Vector_3 cross(const Triangle_indices& t) const
-  {
-    const Vector_3& a = reference_.points[t[0]];
-    return (reference_.points[t[1]] - a).cross(reference_.points[t[2]] - a);
-  }
-
-  // Where the decreasing function has the wanted number.
-  template <class Number>
-  double solved(const Number& number) const
-  {
-    double low = 0, high = box_.diagonal().norm();
-    for (int i = 0; i < 60; ++i) {
-      const double middle = (low + high) / 2;
-      (number(middle) > wanted_ ? low : high) = middle;
-    }
-    return high;
-  }
-
   // The spacing that thin parts need, or as much of it as they may have. What is wanted grows with it.
   double thin_spacing(double h)
   {
