@@ -48,7 +48,8 @@ void add_options(CLI::App& app, Options& o)
 {
   app.footer(exit_codes);
   app.get_formatter()->column_width(34);
-  app.add_option("SURFACE", o.surface, "the surface of the volume to mesh: closed parts, which may overlap or touch")->required();
+  app.add_option("SURFACE", o.surface, "the surface of the volume to mesh: closed parts, which may overlap or touch")
+    ->required();
   app.add_option("OUTPUT", o.output, "the file to write")->required();
   CLI::Option* const cells = app
                                .add_option("--cells", o.cells,
@@ -148,8 +149,9 @@ void print(const HMO::Surface_report& surface)
   };
   say(surface.number_of_copies, "faces are there more than once, and were taken once");
   say(surface.number_without_area, "faces have no area, and were not taken");
-  say(surface.number_of_stitched_vertices, "vertices of borders were put where other borders are, the farthest moved by " +
-                                             text(surface.farthest_moved));
+  say(surface.number_of_stitched_vertices,
+      "vertices of borders were put where other borders are, the farthest moved by " + text(surface.farthest_moved));
+  say(surface.number_of_aligned_vertices, "vertices where parts touch but for rounding were put into common planes");
   say(surface.number_of_filled_holes,
       "holes smaller than a cell were closed, the largest " + text(surface.largest_filled_hole) + " across");
   say(surface.number_of_turned_parts, "closed parts were inside out, and were taken the right way round");
@@ -185,8 +187,10 @@ void print_number(const Options& o, const HMO::Meshing_status& status, std::size
 {
   const double wanted = double(status.number_of_hexahedra_wanted), made = double(status.after.number_of_hexahedra);
   if (wanted > 0 && made > 1.3 * wanted)
-    std::cout << "There are " << text(made / wanted) << " times as many hexahedra as asked for: " << "parts or gaps are thin,"
-              << " and cells of " << text(status.spacing) << " are what their topology needs (--spacing sets another).\n";
+    std::cout << "There are " << text(made / wanted) << " times as many hexahedra as asked for: "
+              << "parts or gaps are thin,"
+              << " and cells of " << text(status.spacing)
+              << " are what their topology needs (--spacing sets another).\n";
   if (wanted > 0 && made < wanted / 1.3)
     std::cout << "There are fewer hexahedra than asked for: the cells along flat sides come in whole numbers.\n";
   if (!status.thin_faces.empty())
@@ -207,6 +211,7 @@ Json json(const HMO::Surface_report& s)
           {"number_without_area", s.number_without_area},
           {"number_of_faces_within", s.number_of_faces_within},
           {"number_of_stitched_vertices", s.number_of_stitched_vertices},
+          {"number_of_aligned_vertices", s.number_of_aligned_vertices},
           {"farthest_moved", s.farthest_moved},
           {"number_of_filled_holes", s.number_of_filled_holes},
           {"largest_filled_hole", s.largest_filled_hole},
@@ -264,7 +269,8 @@ Exit_code run(const Options& options)
     print_differences(status);
     print_number(options, status, surface.triangles.size());
   }
-  const Json report = with_iterations({{"options", json(options)}, {"status", json(status, mesh, repaired)}}, iterations);
+  const Json report = with_iterations({{"options", json(options)}, {"status", json(status, mesh, repaired)}},
+                                      iterations);
   if (!options.json.empty())
     write_json(options.json, report);
   if (!options.report.empty())

@@ -36,6 +36,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,13 +64,68 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   return p;
 }
 
+template <class PointRange, class HexahedronRange>
+struct Optimized_body
+{
+  PointRange points;
+  HexahedronRange hexahedra;
+  Status status;
+
+  bool is_good() const { return status.valid_mesh() && status.after.minimum >= good_minimum; }
+  bool is_worse_than(const Optimized_body& other) const
+  {
+    return status.valid_mesh() != other.status.valid_mesh() ? other.status.valid_mesh()
+                                                            : status.after.minimum < other.status.after.minimum;
+  }
+
+  static constexpr double good_minimum = .5;
+};
+
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
+Optimized_body<PointRange, HexahedronRange> optimized(const Meshed_body& body, double seconds,
+                                                      const NamedParameters& np)
+{
+  Optimized_body<PointRange, HexahedronRange> result;
+  assign_index_ranges(body.points, body.hexahedra, result.points, result.hexahedra);
+  result.status = optimize_ranges<ConcurrencyTag>(result.points, result.hexahedra, &body.surface,
+                                                  np.maximum_running_time((std::max)(0., seconds)));
+  return result;
+}
+
+// With other numbers of cells the same surface has other irregular places: where the result is poor, a few more may do. A
+// spacing that was given stays.
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
+Optimized_body<PointRange, HexahedronRange> best_of_several(Meshed_body& body, double seconds,
+                                                            const NamedParameters& np)
+{
+  auto best = optimized<ConcurrencyTag, PointRange, HexahedronRange>(body, seconds, np);
+  const Meshed_body first = body;
+  double spent = best.status.total_seconds;
+  for (double factor : {1.1, 1.2}) {
+    if (best.is_good() || body.parameters.spacing > 0 || spent >= seconds ||
+        best.status.return_code == Return_code::STOPPED_BY_VISITOR)
+      break;
+    std::optional<Meshed_body> other = mesh_again(first, factor);
+    if (!other)
+      continue;
+    auto result = optimized<ConcurrencyTag, PointRange, HexahedronRange>(*other, seconds - spent, np);
+    spent += result.status.total_seconds;
+    if (best.is_worse_than(result)) {
+      best = std::move(result);
+      body = std::move(*other);
+    }
+  }
+  best.status.total_seconds = spent;
+  return best;
+}
+
 // Bodies are optimized one after the other, each with its own surface for a reference: what is near is not mistaken for it.
 template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
 Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& meshing, PointRange& points,
                          HexahedronRange& hexahedra, const NamedParameters& np)
 {
-  const double seconds = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::maximum_running_time), Chosen_parameters().maximum_running_time);
+  const double seconds = parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time),
+                                                      Chosen_parameters().maximum_running_time);
   Meshed_solid solid = mesh_solid(surface, meshing);
   Meshing_status status;
   status.surface = solid.report;
@@ -77,13 +133,10 @@ Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameter
   status.number_of_hexahedra_wanted = meshing.spacing > 0 ? 0 : meshing.number_of_hexahedra;
   Joined_status joined(solid.diagonal);
   for (Meshed_body& body : solid.bodies) {
-    PointRange of_body;
-    HexahedronRange corners;
-    assign_index_ranges(body.points, body.hexahedra, of_body, corners);
-    const Status optimized = optimize_ranges<ConcurrencyTag>(
-      of_body, corners, &body.surface,
-      np.maximum_running_time((std::max)(0., seconds - joined.status.total_seconds)));
-    joined.add(optimized, std::move(body.status), engine_positions(of_body), engine_hexahedra(corners), body.area);
+    auto best = best_of_several<ConcurrencyTag, PointRange, HexahedronRange>(body,
+                                                                             seconds - joined.status.total_seconds, np);
+    joined.add(std::move(best.status), std::move(body.status), engine_positions(best.points),
+               engine_hexahedra(best.hexahedra), body.area);
     status.euler_characteristic += body.euler_characteristic;
   }
   joined.finish();

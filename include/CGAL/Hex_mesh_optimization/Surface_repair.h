@@ -31,7 +31,7 @@ struct Surface_repair
 
   std::size_t number_of_vertices_left_out = 0;          ///< That were pulled through the opposite side.
   std::vector<std::array<double, 3>> vertices_left_out; ///< Where they were.
-  double farthest = 0; ///< How far these were from the surface as it is now, a length.
+  double farthest = 0;                                  ///< How far these were from the surface as it is now, a length.
 
   double volume_before = 0; ///< That the surface bounded, its holes closed.
   double volume_after = 0;  ///< That it bounds now.

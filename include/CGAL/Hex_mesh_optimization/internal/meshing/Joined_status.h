@@ -46,7 +46,8 @@ public:
     if (n == 0) {
       status = std::move(part);
       area_ = area;
-    } else
+    }
+    else
       join(part, area, n, corners.size());
     points.insert(points.end(), positions.begin(), positions.end());
     for (Hexahedron h : corners) {
@@ -91,17 +92,16 @@ private:
   void join(Voxel_status& of_grid, std::size_t cells)
   {
     const double before = double(hexahedra.size()), all = before + double(cells);
-    of_grids.spacing = std::cbrt((before * std::pow(of_grids.spacing, 3) + double(cells) * std::pow(of_grid.spacing, 3)) /
-                                 all);
+    of_grids.spacing = std::cbrt(
+      (before * std::pow(of_grids.spacing, 3) + double(cells) * std::pow(of_grid.spacing, 3)) / all);
     of_grids.has_topology_of_surface = of_grids.has_topology_of_surface && of_grid.has_topology_of_surface;
     append(of_grids.thin_faces, of_grid.thin_faces);
   }
 
   void join(const Status& part, double area, std::size_t n, std::size_t m)
   {
-    status.return_code = (std::max)(status.return_code, part.return_code, [](Return_code a, Return_code b) {
-      return severity(a) < severity(b);
-    });
+    status.return_code = (std::max)(status.return_code, part.return_code,
+                                    [](Return_code a, Return_code b) { return severity(a) < severity(b); });
     join(status.before, part.before, double(n), double(m));
     status.deviation.average = (status.deviation.average * area_ + part.deviation.average * area) / (area_ + area);
     area_ += area;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Disjoint_sets.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Contact_planes.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_arrangement.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_edges.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_parts.h>
@@ -34,9 +35,8 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Solid_boundary
 {
 public:
-  // Inside is where the parts wind around more than 0 times in all.
-  Solid_boundary(const Positions& points_of_soup, const Soup_parts& parts)
-    : parts_(parts)
+  // Inside is where the parts wind around more than 0 times in all. tolerance: parts that are as near touch.
+  Solid_boundary(const Positions& points_of_soup, const Soup_parts& parts, double tolerance) : parts_(parts)
   {
     std::vector<Triangle_indices> counted;
     for (std::size_t t = 0; t < parts.triangles.size(); ++t)
@@ -44,15 +44,21 @@ public:
         counted.push_back(parts.triangles[t]);
         triangle_of_counted_.push_back(static_cast<int>(t));
       }
-    const Soup_arrangement arrangement(points_of_soup, counted);
+    std::vector<int> part;
+    for (int t : triangle_of_counted_)
+      part.push_back(parts.part[t]);
+    const Contact_planes contacts(points_of_soup, counted, part, tolerance);
+    number_of_aligned = contacts.places.size();
+    const Soup_arrangement arrangement(points_of_soup, counted, contacts.places);
     points = arrangement.points;
     classify(arrangement);
     separate_contacts();
   }
 
-  Positions points; // some stand for several vertices at the same place
+  Positions points;                        // some stand for several vertices at the same place
   std::vector<Triangle_indices> triangles; // closed, oriented outwards, two at each edge
   std::vector<int> origin;                 // of each, a triangle of the parts
+  std::size_t number_of_aligned = 0;       // vertices that were put into planes where parts touch
   std::size_t number_within = 0;           // faces that are inside, or bound nothing
   double volume_inside_out = 0;            // where the parts wind around less than 0 times
   Vector_3 place_inside_out = Vector_3::Zero();
@@ -65,17 +71,16 @@ private:
     const std::vector<Triangle_indices>& faces = arrangement.faces;
     Disjoint_sets patches(faces.size());
     for_soup_edges(faces, [&](auto first, auto last) {
-      if (last - first == 2 && same_parts(arrangement.sources[first->triangle],
-                                          arrangement.sources[(first + 1)->triangle]))
+      if (last - first == 2 &&
+          same_parts(arrangement.sources[first->triangle], arrangement.sources[(first + 1)->triangle]))
         patches.unite(first->triangle, (first + 1)->triangle);
     });
     std::map<std::size_t, std::vector<int>> of_patch;
     for (std::size_t f = 0; f < faces.size(); ++f)
       of_patch[patches.find(f)].push_back(static_cast<int>(f));
     for (auto& [root, members] : of_patch) {
-      const int largest = *std::max_element(members.begin(), members.end(), [&](int a, int b) {
-        return area(faces[a]) < area(faces[b]);
-      });
+      const int largest = *std::max_element(members.begin(), members.end(),
+                                            [&](int a, int b) { return area(faces[a]) < area(faces[b]); });
       // in front and behind of the first source of each face, which all faces of a patch have from the same part
       const Sides sides = windings(faces[largest], arrangement.sources[largest]);
       for (int f : members)
@@ -150,8 +155,8 @@ private:
   {
     Disjoint_sets corners(3 * triangles.size());
     const auto corner = [&](int t, int v) {
-      return std::size_t(3 * t) + std::size_t(std::find(triangles[t].begin(), triangles[t].end(), v) -
-                                              triangles[t].begin());
+      return std::size_t(3 * t) +
+             std::size_t(std::find(triangles[t].begin(), triangles[t].end(), v) - triangles[t].begin());
     };
     for_soup_edges(triangles, [&](auto first, auto last) {
       std::vector<Soup_side> around(first, last);
@@ -176,7 +181,8 @@ private:
         inserted.first->second = static_cast<int>(points.size());
         points.push_back(Vector_3(points[v]));
         is_used.push_back(true);
-      } else if (inserted.second)
+      }
+      else if (inserted.second)
         is_used[v] = true;
       v = inserted.first->second;
     }

@@ -81,7 +81,7 @@ class Solid_of_surface
 public:
   struct Body
   {
-    Reference_input surface;           // closed, oriented outwards
+    Reference_input surface;          // closed, oriented outwards
     std::vector<std::size_t> face_of; // of each of its triangles, a face of the surface as given
     double volume = 0;
   };
@@ -96,13 +96,15 @@ public:
     Soup_stitching stitched(given.points, given.triangles, tolerance * cell, cell);
     require_closed(stitched, cell);
     const Soup_parts parts(stitched.points, stitched.triangles);
-    const Solid_boundary boundary(stitched.points, parts);
+    const double rounding = 3e-6; // of parts that touch, over the diagonal
+    const Solid_boundary boundary(stitched.points, parts, rounding * bounding_diagonal());
     require_outwards(boundary, cell);
     is_as_given_ = stitched.points == given.points && boundary.triangles == given.triangles &&
                    boundary.points == given.points;
     report_stitching(stitched);
     report.number_of_parts = parts.number_of_parts;
     report.number_of_turned_parts = parts.number_of_turned_parts;
+    report.number_of_aligned_vertices = boundary.number_of_aligned;
     report.number_of_faces_within = boundary.number_within + uncounted(parts);
     separate_bodies(boundary, stitched, cell);
     if (bodies.empty())
@@ -123,6 +125,15 @@ private:
       if (!given_.points[v].allFinite())
         throw Input_error(Element::REFERENCE_VERTEX, v,
                           "vertex " + std::to_string(v) + " of the surface has a coordinate that is not finite");
+  }
+
+  double bounding_diagonal() const
+  {
+    Eigen::AlignedBox3d box;
+    for (const Triangle_indices& t : given_.triangles)
+      for (int v : t)
+        box.extend(given_.points[v]);
+    return box.diagonal().norm();
   }
 
   // Before it is known which triangles are turned.
@@ -152,19 +163,20 @@ private:
       return;
     const int v = largest->vertices[0];
     throw Input_error(Element::REFERENCE_VERTEX, v,
-                      "the surface is open: " + std::to_string(edges) + " of its edges have a face on one side only, in " +
-                        std::to_string(number) + (number == 1 ? " hole" : " holes") +
-                        " larger than a cell, which is about " + in_digits(cell) + " long. The largest measures " +
-                        in_digits(largest->size) + " across, at vertex " + std::to_string(v) + ", " +
-                        in_words(stitched.points[v]));
+                      "the surface is open: " + std::to_string(edges) +
+                        " of its edges have a face on one side only, in " + std::to_string(number) +
+                        (number == 1 ? " hole" : " holes") + " larger than a cell, which is about " + in_digits(cell) +
+                        " long. The largest measures " + in_digits(largest->size) + " across, at vertex " +
+                        std::to_string(v) + ", " + in_words(stitched.points[v]));
   }
 
   void require_outwards(const Solid_boundary& boundary, double cell) const
   {
     if (boundary.volume_inside_out > cell * cell * cell)
-      throw Input_error(Element::MESH, 0,
-                        "the surface passes through itself and is inside out beyond: there it would bound a volume of -" +
-                          in_digits(boundary.volume_inside_out) + ", near " + in_words(boundary.place_inside_out));
+      throw Input_error(
+        Element::MESH, 0,
+        "the surface passes through itself and is inside out beyond: there it would bound a volume of -" +
+          in_digits(boundary.volume_inside_out) + ", near " + in_words(boundary.place_inside_out));
   }
 
   void report_stitching(const Soup_stitching& stitched)
@@ -188,14 +200,17 @@ private:
   void separate_bodies(const Solid_boundary& boundary, const Soup_stitching& stitched, double cell)
   {
     std::vector<std::vector<int>> shells = components(boundary);
-    const double least = 1e-3 * cell * cell * cell; // volume: less is left where faces cross by a little
+    // volume: less is left where faces cross by a little
+    const double least = 1e-3 *
+                         (std::min)(cell * cell * cell, std::abs(enclosed_volume(boundary.points, boundary.triangles)));
     std::vector<std::pair<double, std::vector<int>>> outer, cavities;
     for (std::vector<int>& shell : shells) {
       const double volume = enclosed_volume(boundary.points, triangles_of(boundary, shell));
       if (std::abs(volume) < least && shells.size() > 1) {
         ++report.number_of_crumbs;
         report.volume_of_crumbs += volume;
-      } else
+      }
+      else
         (volume > 0 ? outer : cavities).emplace_back(std::abs(volume), std::move(shell));
     }
     std::sort(outer.begin(), outer.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -259,7 +274,8 @@ private:
       body.surface = given_;
       for (int t : list)
         body.face_of.push_back(t);
-    } else {
+    }
+    else {
       std::map<int, int> number;
       body.surface.sharp_is_given = given_.sharp_is_given;
       const std::set<std::array<int, 2>> sharp = sorted_edges(given_.sharp);

@@ -45,12 +45,18 @@ public:
 
   // Each triangle has an area, and three vertices at different places; equal places have equal indices.
   // O(n log n + pairs log pairs), with exact numbers for the triangles that meet others.
-  Soup_arrangement(const Positions& its_points, const std::vector<Triangle_indices>& triangles)
+  // places: of vertices that are meant to be elsewhere.
+  Soup_arrangement(const Positions& its_points, const std::vector<Triangle_indices>& triangles,
+                   std::map<int, CGAL::Exact_predicates_exact_constructions_kernel::Point_3> places = {})
     : points(its_points)
     , triangles_(triangles)
+    , places_(std::move(places))
     , plane_sets_(triangles.size())
   {
-    const std::vector<Soup_pair> pairs = meeting_pairs(points, triangles);
+    const std::vector<Soup_pair> pairs = places_.empty() ? meeting_pairs(Predicate_points{points}, triangles)
+                                                         : meeting_pairs(exact_points(), triangles);
+    for (const auto& [v, place] : places_)
+      points[v] = rounded(place);
     is_cut_.assign(triangles.size(), false);
     for (const Soup_pair& pair : pairs) {
       is_cut_[pair.first] = is_cut_[pair.second] = true;
@@ -77,15 +83,40 @@ public:
 private:
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   using Exact_point = Exact::Point_3;
-  using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Exact, CGAL::Default, CGAL::Exact_intersections_tag>;
+  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Exact, CGAL::Default, CGAL::Exact_intersections_tag>;
 
   struct Less
   {
     bool operator()(const Exact_point& a, const Exact_point& b) const { return CGAL::compare_xyz(a, b) < 0; }
   };
 
-  Exact_point exact(int v) const { return Exact_point(points[v][0], points[v][1], points[v][2]); }
+  struct Exact_points
+  {
+    using Kernel = Exact;
+
+    const Exact_point& operator()(int v) const { return points[v]; }
+
+    std::vector<Exact_point> points;
+  };
+
+  Exact_points exact_points() const
+  {
+    Exact_points result;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      result.points.push_back(exact(static_cast<int>(v)));
+    return result;
+  }
+
+  static Vector_3 rounded(const Exact_point& p)
+  {
+    return Vector_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  Exact_point exact(int v) const
+  {
+    const auto found = places_.find(v);
+    return found == places_.end() ? Exact_point(points[v][0], points[v][1], points[v][2]) : found->second;
+  }
 
   Exact::Triangle_3 exact_triangle(int t) const
   {
@@ -165,8 +196,7 @@ private:
     for (auto f : cdt.finite_face_handles()) {
       // positive in the plane of x and y
       const Triangle_indices face = {number[f->vertex(0)], number[f->vertex(1)], number[f->vertex(2)]};
-      const Exact::Point_2 middle = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(),
-                                                   f->vertex(2)->point());
+      const Exact::Point_2 middle = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
       for (std::size_t i = 0; i < group.size(); ++i)
         if (of_group[i].has_on_bounded_side(middle))
           add(face, {group[i], of_group[i].orientation() == CGAL::CLOCKWISE});
@@ -177,7 +207,7 @@ private:
   {
     const auto inserted = index_.emplace(p, static_cast<int>(points.size()));
     if (inserted.second)
-      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      points.push_back(rounded(p));
     return inserted.first->second;
   }
 
@@ -206,6 +236,7 @@ private:
   }
 
   const std::vector<Triangle_indices>& triangles_;
+  const std::map<int, Exact_point> places_;
   Disjoint_sets plane_sets_; // of triangles that overlap in a plane
   std::vector<char> is_cut_;
   std::map<std::size_t, std::vector<std::array<Exact_point, 2>>> cuts_; // of each set

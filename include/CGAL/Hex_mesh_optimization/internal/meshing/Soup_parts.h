@@ -145,7 +145,8 @@ private:
             patch_[other] = number_of_patches_;
             is_turned[other] = turned == agree;
             members.push_back(other);
-          } else if (is_turned[other] != (turned == agree))
+          }
+          else if (is_turned[other] != (turned == agree))
             throw Input_error(Input_error::Element::REFERENCE_FACE, t,
                               "the surface has only one side, near " + in_words(points_[triangles[t][0]]) +
                                 ": it bounds no volume");
@@ -334,7 +335,8 @@ private:
       if (is_oriented_as_given && volumes[p] * sign < 0 && is_within_others(static_cast<int>(p), volumes, sign)) {
         cavities_.push_back(static_cast<int>(p));
         number_of_turned_parts += volumes[p] > 0;
-      } else
+      }
+      else
         number_of_turned_parts += volumes[p] < 0;
     }
     for (int p : cavities_)
@@ -364,11 +366,11 @@ private:
   std::vector<int> patch_;                                   // of each triangle
   std::vector<std::vector<int>> of_patch_;
   int number_of_patches_ = 0;
-  std::vector<char> is_closed_;                // of each patch, alone
-  std::vector<int> group_;                     // of each patch
-  std::vector<int> uncounted_;                 // patches
-  std::vector<std::vector<int>> of_part_;      // triangles
-  std::vector<Eigen::AlignedBox3d> boxes_;     // of the parts
+  std::vector<char> is_closed_;            // of each patch, alone
+  std::vector<int> group_;                 // of each patch
+  std::vector<int> uncounted_;             // patches
+  std::vector<std::vector<int>> of_part_;  // triangles
+  std::vector<Eigen::AlignedBox3d> boxes_; // of the parts
   std::vector<int> cavities_;
 };
 

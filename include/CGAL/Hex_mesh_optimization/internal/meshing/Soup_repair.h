@@ -80,7 +80,7 @@ private:
   {
     const Soup_stitching stitched(surface.points, surface.triangles, tolerance_, 0);
     const Soup_parts parts(stitched.points, stitched.triangles);
-    const Solid_boundary boundary(stitched.points, parts);
+    const Solid_boundary boundary(stitched.points, parts, tolerance_ / 10);
     volume_inside_out_ = boundary.volume_inside_out;
     return enclosed_volume(boundary.points, boundary.triangles);
   }
@@ -92,18 +92,23 @@ private:
     Soup_stitching stitched(surface.points, surface.triangles, tolerance_, 0);
     std::vector<Soup_pair> pairs = pairs_within_parts(stitched.points, stitched.triangles);
     for (int i = 0; i < most_vertices && !pairs.empty(); ++i) {
-      const int worst = most_involved(pairs, stitched.triangles);
-      std::vector<Triangle_indices> other;
-      for (const Triangle_indices& t : stitched.triangles)
-        if (std::find(t.begin(), t.end(), worst) == t.end())
-          other.push_back(t);
-      const Soup_stitching closed(stitched.points, other, tolerance_, std::numeric_limits<double>::infinity());
-      std::vector<Soup_pair> left = pairs_within_parts(closed.points, closed.triangles);
-      if (left.size() >= pairs.size())
+      std::vector<Soup_pair> best = pairs;
+      std::vector<Triangle_indices> triangles;
+      int worst = 0;
+      for (int v : most_involved(pairs, stitched.triangles)) {
+        const Soup_stitching without = left_out(v, stitched);
+        std::vector<Soup_pair> left = pairs_within_parts(without.points, without.triangles);
+        if (left.size() >= best.size())
+          continue;
+        best = std::move(left);
+        triangles = without.triangles;
+        worst = v;
+      }
+      if (triangles.empty())
         break;
       left_out_.push_back(stitched.points[worst]);
-      stitched.triangles = closed.triangles;
-      pairs = std::move(left);
+      stitched.triangles = std::move(triangles);
+      pairs = std::move(best);
     }
     if (left_out_.empty())
       return false;
@@ -120,15 +125,27 @@ private:
                                                    const std::vector<Triangle_indices>& triangles)
   {
     const Soup_parts parts(points, triangles);
-    std::vector<Soup_pair> result = meeting_pairs(points, triangles);
+    std::vector<Soup_pair> result = meeting_pairs(Predicate_points{points}, triangles);
     result.erase(std::remove_if(result.begin(), result.end(),
                                 [&](const Soup_pair& p) { return parts.part[p.first] != parts.part[p.second]; }),
                  result.end());
     return result;
   }
 
-  static int most_involved(const std::vector<Soup_pair>& pairs, const std::vector<Triangle_indices>& triangles)
+  Soup_stitching left_out(int vertex, const Soup_stitching& from) const
   {
+    std::vector<Triangle_indices> others;
+    for (const Triangle_indices& t : from.triangles)
+      if (std::find(t.begin(), t.end(), vertex) == t.end())
+        others.push_back(t);
+    return Soup_stitching(from.points, others, tolerance_, std::numeric_limits<double>::infinity());
+  }
+
+  // In the most pairs; a few, as on the opposite side one can be in as many.
+  static std::vector<int> most_involved(const std::vector<Soup_pair>& pairs,
+                                        const std::vector<Triangle_indices>& triangles)
+  {
+    constexpr std::size_t few = 4;
     std::map<int, std::size_t> number;
     for (const Soup_pair& pair : pairs) {
       std::set<int> around; // a pair counts once
@@ -137,9 +154,14 @@ private:
       for (int v : around)
         ++number[v];
     }
-    return std::max_element(number.begin(), number.end(), [](const auto& a, const auto& b) {
-             return a.second < b.second;
-           })->first;
+    std::vector<std::pair<std::size_t, int>> sorted;
+    for (const auto& [v, n] : number)
+      sorted.emplace_back(n, v);
+    std::sort(sorted.rbegin(), sorted.rend());
+    std::vector<int> result;
+    for (std::size_t i = 0; i < (std::min)(few, sorted.size()); ++i)
+      result.push_back(sorted[i].second);
+    return result;
   }
 
   void measure_what_is_left_out()

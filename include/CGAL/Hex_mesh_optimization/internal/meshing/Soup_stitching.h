@@ -257,7 +257,8 @@ private:
     for (auto& entry : next)
       while (!entry.second.empty()) {
         std::vector<int> loop = {entry.first};
-        while (!next[loop.back()].empty()) { // every vertex has an even number of them, or a crossing of borders is here
+        while (
+          !next[loop.back()].empty()) { // every vertex has an even number of them, or a crossing of borders is here
           const int to = next[loop.back()].back(), from = loop.back();
           remove(from, to);
           remove(to, from);
@@ -267,7 +268,8 @@ private:
           if (seen != loop.end()) { // a loop within
             fill(std::vector<int>(seen, loop.end()), largest);
             loop.erase(seen + 1, loop.end());
-          } else
+          }
+          else
             loop.push_back(to);
         }
         fill(loop, largest);

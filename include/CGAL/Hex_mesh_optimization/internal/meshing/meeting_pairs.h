@@ -32,17 +32,29 @@ struct Soup_pair
   bool is_coplanar;
 };
 
+// Of vertices as they are.
+struct Predicate_points
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  Kernel::Point_3 operator()(int v) const { return Kernel::Point_3(points[v][0], points[v][1], points[v][2]); }
+
+  const Positions& points;
+};
+
+// Point_of: as Predicate_points.
+template <class Point_of>
 class Soup_predicates
 {
 public:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Kernel = typename Point_of::Kernel;
 
-  Soup_predicates(const Positions& points, const std::vector<Triangle_indices>& triangles)
-    : points_(points)
+  Soup_predicates(const Point_of& point_of, const std::vector<Triangle_indices>& triangles)
+    : point(point_of)
     , triangles_(triangles)
   {}
 
-  Kernel::Point_3 point(int v) const { return Kernel::Point_3(points_[v][0], points_[v][1], points_[v][2]); }
+  const Point_of point;
 
   bool are_coplanar(int s, int t) const
   {
@@ -73,25 +85,26 @@ public:
       return CGAL::orientation(r, u, p, q) == CGAL::COPLANAR &&
              CGAL::coplanar_orientation(r, u, p, q) == CGAL::POSITIVE;
     }
-    const Kernel::Triangle_3 of_a(point(a[0]), point(a[1]), point(a[2])), of_b(point(b[0]), point(b[1]), point(b[2]));
+    const typename Kernel::Triangle_3 of_a(point(a[0]), point(a[1]), point(a[2])),
+      of_b(point(b[0]), point(b[1]), point(b[2]));
     if (common == 0)
       return CGAL::do_intersect(of_a, of_b);
     const auto opposite = [&](const Triangle_indices& c, int k) {
-      return Kernel::Segment_3(point(c[(k + 1) % 3]), point(c[(k + 2) % 3]));
+      return typename Kernel::Segment_3(point(c[(k + 1) % 3]), point(c[(k + 2) % 3]));
     };
     return CGAL::do_intersect(opposite(a, in_a[0]), of_b) || CGAL::do_intersect(opposite(b, in_b[0]), of_a);
   }
 
 private:
-  const Positions& points_;
   const std::vector<Triangle_indices>& triangles_;
 };
 
 // In increasing order. Equal places have equal indices. O(n log² n + pairs of overlapping boxes).
-inline std::vector<Soup_pair> meeting_pairs(const Positions& points, const std::vector<Triangle_indices>& triangles)
+template <class Point_of>
+std::vector<Soup_pair> meeting_pairs(const Point_of& point_of, const std::vector<Triangle_indices>& triangles)
 {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  const Soup_predicates predicates(points, triangles);
+  const Soup_predicates<Point_of> predicates(point_of, triangles);
   std::vector<Box> boxes;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     boxes.emplace_back(predicates.point(triangles[t][0]).bbox() + predicates.point(triangles[t][1]).bbox() +

@@ -21,6 +21,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -38,7 +39,9 @@ struct Meshed_body
   Positions points;
   std::vector<Hexahedron> hexahedra;
   Voxel_status status;
-  Reference_input surface; // closed: that of the body alone
+  Reference_input surface;                 // closed: that of the body alone
+  std::vector<std::size_t> face_of;        // of each of its triangles, a face of the surface as given
+  Meshing_parameters parameters;           // with the number that is the body's share
   double area = 0;                         // of that
   std::ptrdiff_t euler_characteristic = 0; // of the boundary of the hexahedra
 };
@@ -69,6 +72,10 @@ Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across);
+
+// The same body once more, with so many times the hexahedra; none if that has not its topology.
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+std::optional<Meshed_body> mesh_again(const Meshed_body& body, double factor);
 
 // Changes the surface.
 CGAL_HEX_MESH_OPTIMIZATION_INLINE

@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -52,28 +53,25 @@ inline std::ptrdiff_t euler_characteristic(const Hexahedra& mesh)
   return static_cast<std::ptrdiff_t>(vertices.size()) - faces;
 }
 
-inline Meshed_body mesh_body(Solid_of_surface::Body& body, const Meshing_parameters& parameters)
+// Sets the rest of a body with a surface and parameters.
+inline void mesh_body(Meshed_body& body)
 {
-  const Matrix_3 axes = grid_axes(body.surface.points, body.surface.triangles, parameters.grid);
+  const Matrix_3 axes = grid_axes(body.surface.points, body.surface.triangles, body.parameters.grid);
   Reference_input turned = body.surface;
   for (Vector_3& p : turned.points)
     p = axes.transpose() * p;
-  Hex_mesher mesher(turned, parameters);
+  Hex_mesher mesher(turned, body.parameters);
   if (!mesher.has_topology_of_surface)
     throw Input_error(Input_error::Element::MESH, 0, mesher.unresolved(axes));
-  for (Vector_3& p : mesher.mesh.points)
-    p = axes * p;
-  std::vector<std::size_t> thin_faces;
+  body.points.clear();
+  for (const Vector_3& p : mesher.mesh.points)
+    body.points.push_back(axes * p);
+  body.status = {mesher.spacing, mesher.has_topology_of_surface, {}};
   for (std::size_t t : mesher.thin_triangles)
-    thin_faces.push_back(body.face_of[t]);
-  const std::ptrdiff_t euler = euler_characteristic(mesher.mesh);
-  const double area = surface_area(body.surface.points, body.surface.triangles);
-  return {std::move(mesher.mesh.points),
-          std::move(mesher.mesh.hexahedra),
-          {mesher.spacing, mesher.has_topology_of_surface, std::move(thin_faces)},
-          std::move(body.surface),
-          area,
-          euler};
+    body.status.thin_faces.push_back(body.face_of[t]);
+  body.euler_characteristic = euler_characteristic(mesher.mesh);
+  body.area = surface_area(body.surface.points, body.surface.triangles);
+  body.hexahedra = std::move(mesher.mesh.hexahedra);
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
@@ -83,11 +81,16 @@ Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters
   const double h = spacing_for(solid.report.volume, solid.report.area, double(parameters.number_of_hexahedra));
   Meshed_solid result;
   for (Solid_of_surface::Body& body : solid.bodies) {
-    Meshing_parameters of_body = parameters;
-    if (solid.bodies.size() > 1)
-      of_body.number_of_hexahedra = (std::max)(std::size_t(1), static_cast<std::size_t>(number_for(
-        body.volume, surface_area(body.surface.points, body.surface.triangles), h)));
-    result.bodies.push_back(mesh_body(body, of_body));
+    Meshed_body meshed;
+    meshed.parameters = parameters;
+    if (solid.bodies.size() > 1) {
+      const double share = number_for(body.volume, surface_area(body.surface.points, body.surface.triangles), h);
+      meshed.parameters.number_of_hexahedra = (std::max)(std::size_t(1), static_cast<std::size_t>(share));
+    }
+    meshed.surface = std::move(body.surface);
+    meshed.face_of = std::move(body.face_of);
+    mesh_body(meshed);
+    result.bodies.push_back(std::move(meshed));
   }
   result.report = solid.report;
   result.diagonal = bounding_box(surface.points, surface.triangles).diagonal().norm();
@@ -107,6 +110,23 @@ Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, 
           std::move(mesh.hexahedra),
           {grid.mean_spacing(), euler_characteristic(grid) == euler_characteristic(surface.triangles),
            thin_triangles(walls, grid, cells_across)}};
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+std::optional<Meshed_body> mesh_again(const Meshed_body& body, double factor)
+{
+  Meshed_body result;
+  result.parameters = body.parameters;
+  result.parameters.number_of_hexahedra = static_cast<std::size_t>(factor * double(body.hexahedra.size()));
+  result.surface = body.surface;
+  result.face_of = body.face_of;
+  try {
+    mesh_body(result);
+  }
+  catch (const Input_error&) { // its cells do not resolve the surface, though others do
+    return std::nullopt;
+  }
+  return result;
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
