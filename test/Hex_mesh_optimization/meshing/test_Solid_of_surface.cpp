@@ -8,6 +8,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_repair.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <gtest/gtest.h>
 

@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -95,17 +96,22 @@ public:
     const double tolerance = 1e-3; // of borders that belong together, in cells
     Soup_stitching stitched(given.points, given.triangles, tolerance * cell, cell);
     require_closed(stitched, cell);
-    const Soup_parts parts(stitched.points, stitched.triangles);
-    const double rounding = 3e-6; // of parts that touch, over the diagonal
-    const Solid_boundary boundary(stitched.points, parts, rounding * bounding_diagonal());
+    const double rounding = 3e-6 * bounding_diagonal(); // of parts that touch
+    auto parts = std::make_unique<const Soup_parts>(stitched.points, stitched.triangles);
+    auto of_parts = std::make_unique<const Solid_boundary>(stitched.points, *parts, rounding);
+    if (of_parts->volume_inside_out > 0 && !parts->cavities.empty()) { // they are not within others, but cross them
+      parts = std::make_unique<const Soup_parts>(stitched.points, stitched.triangles, false);
+      of_parts = std::make_unique<const Solid_boundary>(stitched.points, *parts, rounding);
+    }
+    const Solid_boundary& boundary = *of_parts;
     require_outwards(boundary, cell);
     is_as_given_ = stitched.points == given.points && boundary.triangles == given.triangles &&
                    boundary.points == given.points;
     report_stitching(stitched);
-    report.number_of_parts = parts.number_of_parts;
-    report.number_of_turned_parts = parts.number_of_turned_parts;
+    report.number_of_parts = parts->number_of_parts;
+    report.number_of_turned_parts = parts->number_of_turned_parts;
     report.number_of_aligned_vertices = boundary.number_of_aligned;
-    report.number_of_faces_within = boundary.number_within + uncounted(parts);
+    report.number_of_faces_within = boundary.number_within + uncounted(*parts);
     separate_bodies(boundary, stitched, cell);
     if (bodies.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the surface bounds no volume");

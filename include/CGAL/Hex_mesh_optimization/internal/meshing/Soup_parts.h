@@ -64,8 +64,9 @@ inline double solid_angle(const Vector_3& from, const Vector_3& p, const Vector_
 class Soup_parts
 {
 public:
-  // No edge has one triangle only. Throws Input_error where triangles do not bound anything together.
-  Soup_parts(const Positions& its_points, std::vector<Triangle_indices> its_triangles)
+  // No edge has one triangle only. may_have_cavities: a part within others that is oriented against them is one. Throws
+  // Input_error where triangles do not bound anything together.
+  Soup_parts(const Positions& its_points, std::vector<Triangle_indices> its_triangles, bool may_have_cavities = true)
     : triangles(std::move(its_triangles))
     , part(triangles.size(), none)
     , points_(its_points)
@@ -79,7 +80,7 @@ public:
     for (const std::vector<int>& group : open_groups())
       orient_group(group);
     number_parts();
-    orient_parts();
+    orient_parts(may_have_cavities);
   }
 
   std::vector<Triangle_indices> triangles; // turned so that they belong together
@@ -87,6 +88,7 @@ public:
   std::size_t number_of_parts = 0;
   std::size_t number_of_turned_parts = 0; // that were inside out
   bool is_oriented_as_given = true;       // within each part
+  std::vector<int> cavities;              // parts that bound what is not inside
 
   static constexpr int none = -1;
 
@@ -185,6 +187,7 @@ private:
   void find_closed_patches()
   {
     is_closed_.assign(number_of_patches_, true);
+    is_counted_.assign(number_of_patches_, true);
     for_open_edges([&](auto, auto, const std::map<int, int>& sum) {
       for (const auto& entry : sum)
         if (entry.second != 0)
@@ -219,23 +222,22 @@ private:
     return result;
   }
 
+  // Whether each edge has as many triangles in one direction as in the other.
   bool is_balanced(const std::vector<int>& group) const
   {
+    std::vector<Triangle_indices> counted;
+    for (int p : group)
+      if (is_counted_[p])
+        for (int t : of_patch_[p])
+          counted.push_back(triangles[t]);
     bool result = true;
-    for_soup_edges(triangles, [&](auto first, auto last) {
+    for_soup_edges(counted, [&](auto first, auto last) {
       int sum = 0;
       for (auto s = first; s != last; ++s)
-        if (is_counted(patch_[s->triangle]) &&
-            std::find(group.begin(), group.end(), patch_[s->triangle]) != group.end())
-          sum += s->is_reversed ? -1 : 1;
+        sum += s->is_reversed ? -1 : 1;
       result = result && sum == 0;
     });
     return result;
-  }
-
-  bool is_counted(int patch) const
-  {
-    return std::find(uncounted_.begin(), uncounted_.end(), patch) == uncounted_.end();
   }
 
   // As given, if that closes it; or by what is seen from far away: what bounds it is seen on one side.
@@ -260,7 +262,7 @@ private:
     for (int p : group) {
       const bool in_front = is_seen(p, 1, escapes), behind = is_seen(p, -1, escapes);
       if (in_front == behind)
-        uncounted_.push_back(p);
+        is_counted_[p] = false;
       else if (behind)
         for (int t : of_patch_[p])
           turn(t);
@@ -305,7 +307,7 @@ private:
   {
     std::map<int, int> number; // of each group of patches
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      if (is_counted(patch_[t])) {
+      if (is_counted_[patch_[t]]) {
         part[t] = number.emplace(group_[patch_[t]], static_cast<int>(number.size())).first->second;
         of_part_.resize(number.size());
         boxes_.resize(number.size());
@@ -318,7 +320,7 @@ private:
 
   // Outwards; but a part that lies within others and is oriented against them, where all are oriented as given, is a
   // cavity.
-  void orient_parts()
+  void orient_parts(bool may_have_cavities)
   {
     double total = 0;
     std::vector<double> volumes;
@@ -332,14 +334,15 @@ private:
         for (int t : of_part_[p])
           turn(t);
     for (std::size_t p = 0; p < number_of_parts; ++p) {
-      if (is_oriented_as_given && volumes[p] * sign < 0 && is_within_others(static_cast<int>(p), volumes, sign)) {
-        cavities_.push_back(static_cast<int>(p));
+      if (may_have_cavities && is_oriented_as_given && volumes[p] * sign < 0 &&
+          is_within_others(static_cast<int>(p), volumes, sign)) {
+        cavities.push_back(static_cast<int>(p));
         number_of_turned_parts += volumes[p] > 0;
       }
       else
         number_of_turned_parts += volumes[p] < 0;
     }
-    for (int p : cavities_)
+    for (int p : cavities)
       for (int t : of_part_[p])
         turn(t);
   }
@@ -368,10 +371,9 @@ private:
   int number_of_patches_ = 0;
   std::vector<char> is_closed_;            // of each patch, alone
   std::vector<int> group_;                 // of each patch
-  std::vector<int> uncounted_;             // patches
+  std::vector<char> is_counted_;           // of each patch
   std::vector<std::vector<int>> of_part_;  // triangles
   std::vector<Eigen::AlignedBox3d> boxes_; // of the parts
-  std::vector<int> cavities_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

@@ -73,7 +73,7 @@ public:
   static constexpr int none = -1;
 
 private:
-  static constexpr int most_rounds = 6;
+  static constexpr int most_rounds = 12;
 
   static std::array<double, 3> key(const Vector_3& p) { return {p[0] + 0., p[1] + 0., p[2] + 0.}; } // -0 is 0
 
@@ -145,18 +145,28 @@ private:
     return result;
   }
 
+  std::vector<int> used_vertices() const
+  {
+    std::vector<int> result;
+    for (const Triangle_indices& t : triangles)
+      result.insert(result.end(), t.begin(), t.end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
   using Bin = std::array<long, 3>;
   Bin bin(const Vector_3& p, double size) const
   {
     return {std::lround(p[0] / size), std::lround(p[1] / size), std::lround(p[2] / size)};
   }
 
-  // Vertices of borders that are no farther apart than the tolerance become one. Whether there are any.
+  // A vertex of a border and another one that are no farther apart than the tolerance become one. Whether there are any.
   bool merge_borders()
   {
     const std::vector<int> vertices = vertices_of(borders());
     std::map<Bin, std::vector<int>> bins;
-    for (int v : vertices)
+    for (int v : used_vertices())
       bins[bin(points[v], tolerance_)].push_back(v);
     Disjoint_sets sets(points.size());
     bool any = false;
@@ -169,7 +179,7 @@ private:
             if (found == bins.end())
               continue;
             for (int u : found->second)
-              if (u < v && (points[u] - points[v]).norm() <= tolerance_ && sets.find(u) != sets.find(v)) {
+              if ((points[u] - points[v]).norm() <= tolerance_ && sets.find(u) != sets.find(v)) {
                 farthest = (std::max)(farthest, (points[u] - points[v]).norm());
                 sets.unite(u, v);
                 ++number_of_stitched;
@@ -186,42 +196,50 @@ private:
     return true;
   }
 
-  // A vertex of a border on another edge of a border divides that and its triangle. Whether there are any.
+  // A vertex of a border on an edge divides that, with all of its triangles. Whether there are any.
   bool divide_borders()
   {
-    const std::vector<Soup_side> sides = borders();
-    const std::vector<int> vertices = vertices_of(sides);
+    const std::vector<int> vertices = vertices_of(borders());
     std::vector<std::pair<double, int>> along_x;
     for (int v : vertices)
       along_x.emplace_back(points[v][0], v);
     std::sort(along_x.begin(), along_x.end());
     std::map<int, std::map<std::array<int, 2>, std::vector<std::pair<double, int>>>> on_edges; // of each triangle
-    for (const Soup_side& side : sides) {
-      const Vector_3 &a = points[side.edge[0]], &b = points[side.edge[1]];
-      const double length = (b - a).norm();
-      const auto low = std::lower_bound(along_x.begin(), along_x.end(),
-                                        std::make_pair((std::min)(a[0], b[0]) - tolerance_, -1));
-      for (auto it = low; it != along_x.end() && it->first <= (std::max)(a[0], b[0]) + tolerance_; ++it) {
-        const double s = (points[it->second] - a).dot(b - a) / (length * length);
-        const double away = (points[it->second] - a - s * (b - a)).norm();
-        const Triangle_indices& t = triangles[side.triangle];
-        if (s * length <= tolerance_ || (1 - s) * length <= tolerance_ || away > tolerance_ ||
-            std::find(t.begin(), t.end(), it->second) != t.end())
-          continue;
-        on_edges[side.triangle][side.edge].emplace_back(s, it->second);
-        farthest = (std::max)(farthest, away);
-        ++number_of_stitched;
-      }
-    }
-    for (auto& [triangle, of_edges] : on_edges)
+    for_soup_edges(triangles, [&](auto first, auto last) {
+      const std::vector<std::pair<double, int>> inner = vertices_on(first->edge, along_x);
+      number_of_stitched += inner.size();
+      for (auto side = first; side != last && !inner.empty(); ++side)
+        on_edges[side->triangle][side->edge] = inner;
+    });
+    for (const auto& [triangle, of_edges] : on_edges)
       divide(triangle, *of_edges.begin()); // other edges of the same triangle: in the next round
     clean();
     return !on_edges.empty();
   }
 
-  void divide(int triangle, std::pair<const std::array<int, 2>, std::vector<std::pair<double, int>>>& edge)
+  // With their places along it.
+  std::vector<std::pair<double, int>> vertices_on(const std::array<int, 2>& edge,
+                                                  const std::vector<std::pair<double, int>>& along_x)
   {
-    std::sort(edge.second.begin(), edge.second.end());
+    std::vector<std::pair<double, int>> result;
+    const Vector_3 &a = points[edge[0]], &b = points[edge[1]];
+    const double length = (b - a).norm();
+    const auto low = std::lower_bound(along_x.begin(), along_x.end(),
+                                      std::make_pair((std::min)(a[0], b[0]) - tolerance_, -1));
+    for (auto it = low; it != along_x.end() && it->first <= (std::max)(a[0], b[0]) + tolerance_; ++it) {
+      const double s = (points[it->second] - a).dot(b - a) / (length * length);
+      const double away = (points[it->second] - a - s * (b - a)).norm();
+      if (s * length <= tolerance_ || (1 - s) * length <= tolerance_ || away > tolerance_)
+        continue;
+      result.emplace_back(s, it->second);
+      farthest = (std::max)(farthest, away);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void divide(int triangle, const std::pair<const std::array<int, 2>, std::vector<std::pair<double, int>>>& edge)
+  {
     const Triangle_indices whole = triangles[triangle];
     int k = 0;
     while (whole[k] == edge.first[0] || whole[k] == edge.first[1])

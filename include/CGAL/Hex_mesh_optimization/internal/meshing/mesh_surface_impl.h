@@ -117,7 +117,8 @@ std::optional<Meshed_body> mesh_again(const Meshed_body& body, double factor)
 {
   Meshed_body result;
   result.parameters = body.parameters;
-  result.parameters.number_of_hexahedra = static_cast<std::size_t>(factor * double(body.hexahedra.size()));
+  result.parameters.number_of_hexahedra = static_cast<std::size_t>(factor *
+                                                                   double(body.parameters.number_of_hexahedra));
   result.surface = body.surface;
   result.face_of = body.face_of;
   try {
