@@ -196,17 +196,15 @@ private:
     return true;
   }
 
-  // A vertex of a border on an edge divides that, with all of its triangles. Whether there are any.
+  // A vertex of a border on an edge, and any vertex on an edge of a border, divides that with all of its triangles. Whether
+  // there are any.
   bool divide_borders()
   {
-    const std::vector<int> vertices = vertices_of(borders());
-    std::vector<std::pair<double, int>> along_x;
-    for (int v : vertices)
-      along_x.emplace_back(points[v][0], v);
-    std::sort(along_x.begin(), along_x.end());
+    const std::vector<std::pair<double, int>> of_borders = along_x(vertices_of(borders())),
+                                              all = along_x(used_vertices());
     std::map<int, std::map<std::array<int, 2>, std::vector<std::pair<double, int>>>> on_edges; // of each triangle
     for_soup_edges(triangles, [&](auto first, auto last) {
-      const std::vector<std::pair<double, int>> inner = vertices_on(first->edge, along_x);
+      const std::vector<std::pair<double, int>> inner = vertices_on(first->edge, last - first == 1 ? all : of_borders);
       number_of_stitched += inner.size();
       for (auto side = first; side != last && !inner.empty(); ++side)
         on_edges[side->triangle][side->edge] = inner;
@@ -217,16 +215,25 @@ private:
     return !on_edges.empty();
   }
 
+  std::vector<std::pair<double, int>> along_x(const std::vector<int>& vertices) const
+  {
+    std::vector<std::pair<double, int>> result;
+    for (int v : vertices)
+      result.emplace_back(points[v][0], v);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   // With their places along it.
   std::vector<std::pair<double, int>> vertices_on(const std::array<int, 2>& edge,
-                                                  const std::vector<std::pair<double, int>>& along_x)
+                                                  const std::vector<std::pair<double, int>>& vertices)
   {
     std::vector<std::pair<double, int>> result;
     const Vector_3 &a = points[edge[0]], &b = points[edge[1]];
     const double length = (b - a).norm();
-    const auto low = std::lower_bound(along_x.begin(), along_x.end(),
+    const auto low = std::lower_bound(vertices.begin(), vertices.end(),
                                       std::make_pair((std::min)(a[0], b[0]) - tolerance_, -1));
-    for (auto it = low; it != along_x.end() && it->first <= (std::max)(a[0], b[0]) + tolerance_; ++it) {
+    for (auto it = low; it != vertices.end() && it->first <= (std::max)(a[0], b[0]) + tolerance_; ++it) {
       const double s = (points[it->second] - a).dot(b - a) / (length * length);
       const double away = (points[it->second] - a - s * (b - a)).norm();
       if (s * length <= tolerance_ || (1 - s) * length <= tolerance_ || away > tolerance_)
