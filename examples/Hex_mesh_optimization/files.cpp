@@ -90,6 +90,11 @@ void copy(const Places& places, const std::string& output, const Points& before,
 
 CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file) { return io::attachments_of(file); }
 
+void read(const std::string& filename, Soup& soup)
+{
+  CGAL::IO::read_triangle_soup(filename, soup.points, soup.triangles);
+}
+
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
            const CGAL::IO::Hex_mesh_attachments& attachments)
 {

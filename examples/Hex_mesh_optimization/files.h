@@ -9,6 +9,7 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file.h>
+#include <CGAL/Hex_mesh_optimization/Surface_repair.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -25,10 +26,18 @@ using Points = std::vector<Kernel::Point_3>;
 using Hexahedra = std::vector<std::array<std::size_t, 8>>;
 using Surface = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>; // for the repair
 
+// Triangles as a file has them, whatever they are together.
+struct Soup
+{
+  Points points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
 void read(const std::string& filename, Points& points, Hexahedra& hexahedra);
 void read(const std::string& filename, Points& points, Hexahedra& hexahedra,
           CGAL::IO::Hex_mesh_attachments& attachments);
 void read(const std::string& filename, Surface& surface);
+void read(const std::string& filename, Soup& soup);
 
 // The file of a solver, which can be copied with other points.
 using Solver_file = std::shared_ptr<const CGAL::IO::Hex_mesh_file>;
@@ -57,5 +66,6 @@ void write(const std::string& filename, const Points& points, const Hexahedra& h
            const CGAL::IO::Hex_mesh_attachments& attachments = {});
 
 void repair(Surface& surface);
+CGAL::Hex_mesh_optimization::Surface_repair repair(Soup& soup);
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_FILES_H

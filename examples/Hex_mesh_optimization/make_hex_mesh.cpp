@@ -10,12 +10,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 const char* const exit_codes =
@@ -26,10 +27,12 @@ const char* const exit_codes =
   "Vertices, faces and hexahedra are counted from 0.\n"
   "\n"
   "Exit codes:\n"
-  "  0  OUTPUT is written and valid\n"
-  "  1  OUTPUT is written, but invalid hexahedra remain, or --max-deviation is not met\n"
+  "  0  OUTPUT is written and valid, and has the volume, the bodies and the topology that SURFACE bounds\n"
+  "  1  OUTPUT is written, but invalid hexahedra remain, it differs from SURFACE by more than its cells explain, or\n"
+  "     --max-deviation is not met\n"
   "  2  wrong usage; nothing is written\n"
-  "  3  a file cannot be read, used or written, SURFACE bounds no volume, or memory is short; OUTPUT is not written";
+  "  3  a file cannot be read, used or written, SURFACE bounds no volume or is too fine for the cells, or memory is\n"
+  "     short; OUTPUT is not written";
 
 struct Options : Common_options
 {
@@ -46,7 +49,8 @@ void add_options(CLI::App& app, Options& o)
 {
   app.footer(exit_codes);
   app.get_formatter()->column_width(34);
-  app.add_option("SURFACE", o.surface, "the closed surface of the volume to mesh")->required();
+  app.add_option("SURFACE", o.surface, "the surface of the volume to mesh: closed parts, which may overlap or touch")
+    ->required();
   app.add_option("OUTPUT", o.output, "the file to write")->required();
   CLI::Option* const cells = app
                                .add_option("--cells", o.cells,
@@ -63,7 +67,7 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::Range(std::size_t(1), std::size_t(1000)).description(""))
     ->capture_default_str();
   app.add_flag("--repair", o.repair,
-               "mend a surface that is open, intersects itself or is not oriented, where that is possible");
+               "close holes of any size, and leave out vertices that were pulled through the opposite side");
   add_common_options(app, o);
 }
 
@@ -77,17 +81,18 @@ Json json(const Options& o)
                              o);
 }
 
-HMO::Meshing_status make(const Surface& surface, const Options& o, Mesh& mesh, Watcher& watcher)
+HMO::Meshing_status make(const Soup& surface, const Options& o, Mesh& mesh, Watcher& watcher)
 {
   const auto np =
     common_parameters(o, watcher).number_of_hexahedra(o.cells).grid_spacing(o.spacing).cells_across(o.across);
   return in_threads(o.threads, [&] {
-    return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface, mesh.points, mesh.hexahedra, np);
+    return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface.points, surface.triangles, mesh.points,
+                                                                mesh.hexahedra, np);
   });
 }
 
 // The mesh that the optimization starts from.
-Mesh start(const Surface& surface, Options o)
+Mesh start(const Soup& surface, Options o)
 {
   Mesh mesh;
   o.time_limit = 0;
@@ -97,27 +102,23 @@ Mesh start(const Surface& surface, Options o)
 }
 
 // Where the thin faces of the surface are.
-Report_page::Points thin_places(const Surface& surface, const HMO::Meshing_status& status)
+Report_page::Points thin_places(const Soup& surface, const HMO::Meshing_status& status)
 {
-  const std::vector<Surface::Face_index> faces(surface.faces_begin(), surface.faces_end());
   Report_page::Points places;
   for (std::size_t f : status.thin_faces) {
-    Kernel::Vector_3 sum(0, 0, 0);
-    for (const auto v : surface.vertices_around_face(surface.halfedge(faces[f]))) {
-      const auto& p = surface.point(v);
-      sum = sum + Kernel::Vector_3(p.x(), p.y(), p.z()) / 3;
-    }
-    places.push_back(CGAL::ORIGIN + sum);
+    const std::array<std::size_t, 3>& t = surface.triangles[f];
+    places.push_back(CGAL::centroid(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]));
   }
   return places;
 }
 
-void write_page(const Options& o, const Surface& surface, const Mesh& mesh, const HMO::Meshing_status& status,
+void write_page(const Options& o, const Soup& surface, const Mesh& mesh, const HMO::Meshing_status& status,
                 const Json& report)
 {
   const Mesh before = start(surface, o);
   Report_page page;
-  set_reference(page, surface);
+  HMO::internal::Reference_input reference = HMO::internal::triangles_to_reference(surface.points, surface.triangles);
+  page.set_reference(std::move(reference.points), std::move(reference.triangles));
   page.add_mesh("before", "Start: voxels and layers", before.points, before.hexahedra);
   page.add_mesh("after", "Result", mesh.points, mesh.hexahedra);
   page.add_reference("Surface");
@@ -125,14 +126,133 @@ void write_page(const Options& o, const Surface& surface, const Mesh& mesh, cons
   write_page(page, o, status, report);
 }
 
+void print(const HMO::Surface_repair& repair)
+{
+  if (repair.number_of_filled_holes > 0)
+    std::cout << "Repaired: " << repair.number_of_filled_holes << " holes of the surface were closed, the largest "
+              << text(repair.largest_filled_hole) << " across.\n";
+  if (repair.number_of_vertices_left_out > 0) {
+    std::cout << "Repaired: " << repair.number_of_vertices_left_out
+              << " vertices that were pulled through the opposite side were left out, the farthest "
+              << text(repair.farthest) << " away from the surface as it is now; the volume was "
+              << text(repair.volume_before) << " before and is " << text(repair.volume_after) << " now:\n";
+    for (const auto& p : repair.vertices_left_out)
+      std::cout << "          (" << p[0] << ' ' << p[1] << ' ' << p[2] << ")\n";
+  }
+}
+
+// One line for each thing that was not taken as it was given.
+void print(const HMO::Surface_report& surface)
+{
+  const auto say = [](std::size_t number, const std::string& what) {
+    if (number > 0)
+      std::cout << "Surface: " << number << ' ' << what << ".\n";
+  };
+  say(surface.number_of_copies, "faces are there more than once, and were taken once");
+  say(surface.number_without_area, "faces have no area, and were not taken");
+  say(surface.number_of_stitched_vertices,
+      "vertices of borders were put where other borders are, the farthest moved by " + text(surface.farthest_moved));
+  say(surface.number_of_aligned_vertices, "vertices where parts touch but for rounding were put into common planes");
+  say(surface.number_of_filled_holes,
+      "holes smaller than a cell were closed, the largest " + text(surface.largest_filled_hole) + " across");
+  say(surface.number_of_turned_parts, "closed parts were inside out, and were taken the right way round");
+  say(surface.number_of_faces_within, "pieces of faces are inside of the volume, or bound none, and were left out");
+  say(surface.number_of_crumbs, "bodies or cavities of less than a thousandth of a cell were left out, their volume " +
+                                  text(surface.volume_of_crumbs));
+  if (surface.number_of_parts > 1)
+    std::cout << "Surface: its " << surface.number_of_parts << " closed parts bound " << surface.number_of_bodies
+              << (surface.number_of_bodies == 1 ? " body.\n" : " bodies.\n");
+}
+
+void print_differences(const HMO::Meshing_status& status)
+{
+  const HMO::Surface_report& surface = status.surface;
+  print_row("volume of the surface", "", text(surface.volume));
+  print_row("bodies", text(surface.number_of_bodies), text(status.number_of_bodies));
+  print_row("Euler characteristic", text(surface.euler_characteristic), text(status.euler_characteristic));
+  if (status.number_of_bodies != surface.number_of_bodies)
+    std::cout << "THE MESH HAS " << status.number_of_bodies << " BODIES, the surface bounds "
+              << surface.number_of_bodies << ".\n";
+  if (!status.has_topology_of_surface || status.euler_characteristic != surface.euler_characteristic)
+    std::cout << "THE MESH HAS NOT THE TOPOLOGY OF THE SURFACE: holes are closed, walls have holes, or parts are lost;"
+              << " the spacing, " << text(status.spacing) << ", is too large for them.\n";
+  if (!(std::abs(status.volume_after - surface.volume) <= status.volume_tolerance()))
+    std::cout << "THE MESH HAS NOT THE VOLUME OF THE SURFACE: " << text(status.volume_after) << " in the place of "
+              << text(surface.volume) << ", which is more than cells of " << text(status.spacing) << " explain.\n";
+  if (!(status.deviation.maximum <= status.spacing))
+    std::cout << "THE MESH IS FARTHER FROM THE SURFACE THAN A CELL IS LONG: by " << text(status.deviation.maximum)
+              << "; cells are " << text(status.spacing) << " long.\n";
+}
+
+void print_number(const Options& o, const HMO::Meshing_status& status, std::size_t faces)
+{
+  const double wanted = double(status.number_of_hexahedra_wanted), made = double(status.after.number_of_hexahedra);
+  if (wanted > 0 && made > 1.3 * wanted)
+    std::cout << "There are " << text(made / wanted) << " times as many hexahedra as asked for: "
+              << "parts or gaps are thin,"
+              << " and cells of " << text(status.spacing)
+              << " are what their topology needs (--spacing sets another).\n";
+  if (wanted > 0 && made < wanted / 1.3)
+    std::cout << "There are fewer hexahedra than asked for: the cells along flat sides come in whole numbers.\n";
+  if (!status.thin_faces.empty())
+    std::cout << status.thin_faces.size() << " of " << faces << " faces of the surface have less than " << o.across
+              << (o.across == 1 ? " cell" : " cells") << " behind them: parts there are thin for the spacing, "
+              << text(status.spacing) << (o.json.empty() ? " (--json lists them)" : "") << ".\n";
+}
+
+Json json(const HMO::Surface_report& s)
+{
+  return {{"volume", s.volume},
+          {"area", s.area},
+          {"number_of_bodies", s.number_of_bodies},
+          {"euler_characteristic", s.euler_characteristic},
+          {"number_of_parts", s.number_of_parts},
+          {"number_of_turned_parts", s.number_of_turned_parts},
+          {"number_of_copies", s.number_of_copies},
+          {"number_without_area", s.number_without_area},
+          {"number_of_faces_within", s.number_of_faces_within},
+          {"number_of_stitched_vertices", s.number_of_stitched_vertices},
+          {"number_of_aligned_vertices", s.number_of_aligned_vertices},
+          {"farthest_moved", s.farthest_moved},
+          {"number_of_filled_holes", s.number_of_filled_holes},
+          {"largest_filled_hole", s.largest_filled_hole},
+          {"number_of_crumbs", s.number_of_crumbs},
+          {"volume_of_crumbs", s.volume_of_crumbs}};
+}
+
+Json json(const HMO::Surface_repair& r)
+{
+  return {{"number_of_filled_holes", r.number_of_filled_holes},
+          {"largest_filled_hole", r.largest_filled_hole},
+          {"vertices_left_out", r.vertices_left_out},
+          {"farthest", r.farthest},
+          {"volume_before", r.volume_before},
+          {"volume_after", r.volume_after}};
+}
+
+Json json(const HMO::Meshing_status& status, const Mesh& mesh, const HMO::Surface_repair& repaired)
+{
+  Json result = json(static_cast<const HMO::Status&>(status), mesh);
+  result["spacing"] = status.spacing;
+  result["has_topology_of_surface"] = status.has_topology_of_surface;
+  result["is_true_to_surface"] = status.is_true_to_surface();
+  result["number_of_bodies"] = status.number_of_bodies;
+  result["euler_characteristic"] = status.euler_characteristic;
+  result["thin_faces"] = status.thin_faces;
+  result["surface"] = json(status.surface);
+  result["repair"] = json(repaired);
+  return result;
+}
+
 Exit_code run(const Options& options)
 {
   check_output(options.output);
   check_reports(options);
-  Surface surface;
+  Soup surface;
   read(options.surface, surface);
+  HMO::Surface_repair repaired;
   if (options.repair)
-    repair(surface);
+    repaired = repair(surface);
 
   Mesh mesh;
   HMO::Meshing_status status;
@@ -147,27 +267,21 @@ Exit_code run(const Options& options)
     add_patches(mesh, options.features_angle);
   write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
   if (!options.quiet) {
+    print(repaired);
+    print(status.surface);
     print_report(status, mesh);
-    if (!status.has_topology_of_surface)
-      std::cout
-        << "THE MESH HAS NOT THE TOPOLOGY OF THE SURFACE: holes are closed, walls have holes, or parts are lost;"
-        << " the spacing, " << text(status.spacing) << ", is too large for them.\n";
-    if (!status.thin_faces.empty())
-      std::cout << status.thin_faces.size() << " of " << surface.number_of_faces()
-                << " faces of the surface have less than " << options.across
-                << (options.across == 1 ? " cell" : " cells") << " behind them: parts there are thin for the spacing, "
-                << text(status.spacing) << (options.json.empty() ? " (--json lists them)" : "") << ".\n";
+    print_differences(status);
+    print_number(options, status, surface.triangles.size());
   }
-  Json of_status = json(status, mesh);
-  of_status["spacing"] = status.spacing;
-  of_status["has_topology_of_surface"] = status.has_topology_of_surface;
-  of_status["thin_faces"] = status.thin_faces;
-  const Json report = with_iterations({{"options", json(options)}, {"status", of_status}}, iterations);
+  const Json report = with_iterations({{"options", json(options)}, {"status", json(status, mesh, repaired)}},
+                                      iterations);
   if (!options.json.empty())
     write_json(options.json, report);
   if (!options.report.empty())
     write_page(options, surface, mesh, status, report);
-  return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
+  return status.valid_mesh() && status.is_within_deviation_bound() && status.is_true_to_surface()
+           ? ALL_IS_MET
+           : SOMETHING_IS_NOT_MET;
 }
 
 int main(int argc, char** argv)

@@ -6,3 +6,8 @@
 #include <CGAL/Hex_mesh_optimization/repair_surface.h>
 
 void repair(Surface& surface) { CGAL::Hex_mesh_optimization::repair_surface(surface); }
+
+CGAL::Hex_mesh_optimization::Surface_repair repair(Soup& soup)
+{
+  return CGAL::Hex_mesh_optimization::repair_surface(soup.points, soup.triangles);
+}

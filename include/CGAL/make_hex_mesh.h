@@ -24,6 +24,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Joined_status.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/optimize_hex_mesh.h>
@@ -31,9 +32,11 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -61,19 +64,85 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   return p;
 }
 
+template <class PointRange, class HexahedronRange>
+struct Optimized_body
+{
+  PointRange points;
+  HexahedronRange hexahedra;
+  Status status;
+
+  bool is_good() const { return status.valid_mesh() && status.after.minimum >= good_minimum; }
+  bool is_worse_than(const Optimized_body& other) const
+  {
+    return status.valid_mesh() != other.status.valid_mesh() ? other.status.valid_mesh()
+                                                            : status.after.minimum < other.status.after.minimum;
+  }
+
+  static constexpr double good_minimum = .5;
+};
+
 template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
-Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& parameters, PointRange& points,
+Optimized_body<PointRange, HexahedronRange> optimized(const Meshed_body& body, double seconds,
+                                                      const NamedParameters& np)
+{
+  Optimized_body<PointRange, HexahedronRange> result;
+  assign_index_ranges(body.points, body.hexahedra, result.points, result.hexahedra);
+  result.status = optimize_ranges<ConcurrencyTag>(result.points, result.hexahedra, &body.surface,
+                                                  np.maximum_running_time((std::max)(0., seconds)));
+  return result;
+}
+
+// With other numbers of cells the same surface has other irregular places: where the result is poor, a few more may do. A
+// spacing that was given stays.
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
+Optimized_body<PointRange, HexahedronRange> best_of_several(Meshed_body& body, double seconds,
+                                                            const NamedParameters& np)
+{
+  auto best = optimized<ConcurrencyTag, PointRange, HexahedronRange>(body, seconds, np);
+  const Meshed_body first = body;
+  double spent = best.status.total_seconds;
+  for (double factor : {1.1, 1.2}) {
+    if (best.is_good() || body.parameters.spacing > 0 || spent >= seconds ||
+        best.status.return_code == Return_code::STOPPED_BY_VISITOR)
+      break;
+    std::optional<Meshed_body> other = mesh_again(first, factor);
+    if (!other)
+      continue;
+    auto result = optimized<ConcurrencyTag, PointRange, HexahedronRange>(*other, seconds - spent, np);
+    spent += result.status.total_seconds;
+    if (best.is_worse_than(result)) {
+      best = std::move(result);
+      body = std::move(*other);
+    }
+  }
+  best.status.total_seconds = spent;
+  return best;
+}
+
+// Bodies are optimized one after the other, each with its own surface for a reference: what is near is not mistaken for it.
+template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
+Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& meshing, PointRange& points,
                          HexahedronRange& hexahedra, const NamedParameters& np)
 {
-  Meshed_surface mesh = mesh_surface(surface, parameters);
-  PointRange new_points;
-  HexahedronRange new_hexahedra;
-  assign_index_ranges(mesh.points, mesh.hexahedra, new_points, new_hexahedra);
+  const double seconds = parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time),
+                                                      Chosen_parameters().maximum_running_time);
+  Meshed_solid solid = mesh_solid(surface, meshing);
   Meshing_status status;
-  static_cast<Status&>(status) = optimize_ranges<ConcurrencyTag>(new_points, new_hexahedra, &surface, np);
-  static_cast<Voxel_status&>(status) = std::move(mesh.status);
-  points = std::move(new_points);
-  hexahedra = std::move(new_hexahedra);
+  status.surface = solid.report;
+  status.number_of_bodies = solid.bodies.size();
+  status.number_of_hexahedra_wanted = meshing.spacing > 0 ? 0 : meshing.number_of_hexahedra;
+  Joined_status joined(solid.diagonal);
+  for (Meshed_body& body : solid.bodies) {
+    auto best = best_of_several<ConcurrencyTag, PointRange, HexahedronRange>(body,
+                                                                             seconds - joined.status.total_seconds, np);
+    joined.add(std::move(best.status), std::move(body.status), engine_positions(best.points),
+               engine_hexahedra(best.hexahedra), body.area);
+    status.euler_characteristic += body.euler_characteristic;
+  }
+  joined.finish();
+  static_cast<Status&>(status) = std::move(joined.status);
+  static_cast<Voxel_status&>(status) = std::move(joined.of_grids);
+  assign_index_ranges(joined.points, joined.hexahedra, points, hexahedra);
   return status;
 }
 
@@ -163,8 +232,8 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
   Hex_mesh_optimization::Meshing_status status;
   if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>() &&
                 accepts_parameters_of_new_mesh<NamedParameters>()) {
-    const Meshing_parameters parameters = meshing_parameters(np);
-    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), parameters, points, hexahedra, np);
+    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), meshing_parameters(np), points, hexahedra,
+                                       np);
   }
   return status;
 }
@@ -201,9 +270,8 @@ make_hex_mesh(const SurfacePointRange& surface_points, const TriangleRange& surf
   Hex_mesh_optimization::Meshing_status status;
   if constexpr (accepts_soup<SurfacePointRange, TriangleRange>() && accepts_edges_of_soup<NamedParameters>() &&
                 accepts_new_mesh<PointRange, HexahedronRange>() && accepts_parameters_of_new_mesh<NamedParameters>()) {
-    const Meshing_parameters parameters = meshing_parameters(np);
-    status = make_mesh<ConcurrencyTag>(triangle_soup_to_reference(surface_points, surface_triangles, np), parameters,
-                                       points, hexahedra, np);
+    status = make_mesh<ConcurrencyTag>(any_triangles_to_reference(surface_points, surface_triangles, np),
+                                       meshing_parameters(np), points, hexahedra, np);
   }
   return status;
 }

@@ -131,6 +131,64 @@ TEST(make_hex_mesh, of_a_triangle_soup_is_the_same)
   EXPECT_LT(most, 1e-12);
 }
 
+// The boxes of a soup of 8 points and 12 triangles each.
+void append_box(std::vector<Point>& points, std::vector<std::array<std::size_t, 3>>& triangles, const Vector_3& low,
+                const Vector_3& high)
+{
+  const Reference_input cube = surface_of(block(1));
+  const std::size_t n = points.size();
+  for (const Vector_3& p : cube.points) {
+    const Vector_3 q = low + p.cwiseProduct(high - low);
+    points.emplace_back(q[0], q[1], q[2]);
+  }
+  for (const Triangle_indices& t : cube.triangles)
+    triangles.push_back({n + std::size_t(t[0]), n + std::size_t(t[1]), n + std::size_t(t[2])});
+}
+
+TEST(make_hex_mesh, of_parts_that_overlap_is_true_to_their_union)
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  append_box(points, triangles, Vector_3(0, 0, 0), Vector_3(2, 2, 1));
+  append_box(points, triangles, Vector_3(.5, .5, .5), Vector_3(1.5, 1.5, 3));
+  std::swap(triangles[0][0], triangles[0][1]);
+  Mesh mesh;
+  const auto status = CGAL::make_hex_mesh(points, triangles, mesh.points, mesh.hexahedra,
+                                          CGAL::parameters::number_of_hexahedra(800));
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_TRUE(status.is_true_to_surface());
+  EXPECT_NEAR(status.surface.volume, 6, 1e-9);
+  EXPECT_NEAR(status.volume_after, 6, 1e-3);
+}
+
+TEST(make_hex_mesh, of_bodies_closer_than_a_cell_has_as_many_and_lists_hexahedra_of_all)
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  append_box(points, triangles, Vector_3(0, 0, 0), Vector_3(1, 1, 1));
+  append_box(points, triangles, Vector_3(1.001, 0, 0), Vector_3(3, 1, 1));
+  Mesh mesh;
+  const auto status = CGAL::make_hex_mesh(points, triangles, mesh.points, mesh.hexahedra,
+                                          CGAL::parameters::number_of_hexahedra(400));
+  EXPECT_TRUE(status.is_true_to_surface());
+  EXPECT_EQ(status.number_of_bodies, 2u);
+  EXPECT_EQ(status.euler_characteristic, 4);
+  EXPECT_EQ(status.after.number_of_hexahedra, mesh.hexahedra.size());
+  EXPECT_NEAR(double(mesh.hexahedra.size()), 400, 150);
+  EXPECT_TRUE(invalid_hexahedra(mesh).empty());
+  EXPECT_NEAR(status.volume_after, 2.999, 1e-6);
+}
+
+TEST(make_hex_mesh, refuses_cells_that_would_close_a_hole)
+{
+  const Generated_mesh ring([](auto& p, auto& h) { HMO::make_ring(p, h, 18, 2); });
+  Mesh mesh;
+  EXPECT_THROW(CGAL::make_hex_mesh(surface_mesh(surface_of(ring)), mesh.points, mesh.hexahedra,
+                                   CGAL::parameters::grid_spacing(2.)),
+               HMO::Input_error);
+  EXPECT_TRUE(mesh.hexahedra.empty());
+}
+
 TEST(make_hex_mesh, refuses_parameters_and_surfaces_and_leaves_the_mesh)
 {
   Surface open = surface_mesh(surface_of(block(1)));

@@ -104,6 +104,24 @@ TEST_F(Meshing_program, refuses_an_open_surface_or_mends_it_on_request)
   EXPECT_TRUE(exists("out.mesh"));
 }
 
+// A second cube crosses the first, and its faces are there twice.
+TEST_F(Meshing_program, takes_parts_that_cross_and_tells_what_it_took)
+{
+  std::ofstream(folder / "two.off")
+    << "OFF\n16 18 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+       ".5 .5 .5\n2 .5 .5\n2 2 .5\n.5 2 .5\n.5 .5 2\n2 .5 2\n2 2 2\n.5 2 2\n"
+       "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
+       "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
+       "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
+  EXPECT_EQ(run("two.off out.mesh --cells 300 --json report.json"), 0);
+  EXPECT_TRUE(contains(text("stdout"), "12 faces are there more than once"));
+  EXPECT_TRUE(contains(text("stdout"), "its 2 closed parts bound 1 body"));
+  const nlohmann::json status = nlohmann::json::parse(text("report.json"))["status"];
+  EXPECT_NEAR(status["surface"]["volume"].get<double>(), 1 + 3.375 - .125, 1e-9);
+  EXPECT_NEAR(status["volume_after"].get<double>(), 4.25, .02);
+  EXPECT_EQ(status["is_true_to_surface"], true);
+}
+
 TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)
 {
   EXPECT_EQ(run("--help"), 0);

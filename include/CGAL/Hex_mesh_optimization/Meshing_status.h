@@ -16,10 +16,47 @@
 
 #include <CGAL/Hex_mesh_optimization/Status.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization {
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
+ * What a surface bounds, and what had to be understood to find that: the union of its closed parts, which may overlap,
+ * touch, be turned, or have copies.
+ */
+struct Surface_report
+{
+  double volume = 0;                       ///< That the surface bounds: of the union of its parts.
+  double area = 0;                         ///< Of the boundary of that.
+  std::size_t number_of_bodies = 0;        ///< Pieces of the volume that do not hang together.
+  std::ptrdiff_t euler_characteristic = 0; ///< Of the boundary of the volume.
+
+  std::size_t number_of_parts = 0;        ///< Closed parts of the surface.
+  std::size_t number_of_turned_parts = 0; ///< Those that were oriented inwards, and were taken outwards.
+  std::size_t number_of_copies = 0;       ///< Faces that are there again, and were taken once.
+  std::size_t number_without_area = 0;    ///< Faces that are not there, as they have no area.
+  std::size_t number_of_faces_within = 0; ///< Pieces of faces within the volume, or with nothing on both sides.
+  std::size_t number_of_stitched_vertices =
+    0;                                        ///< Vertices that were merged with, or put on the edge of, what was near.
+  std::size_t number_of_aligned_vertices = 0; ///< Put into the planes where parts touch but for rounding.
+  double farthest_moved = 0;                  ///< The farthest that one of these moved, a length.
+  std::size_t number_of_filled_holes = 0;     ///< Holes smaller than a cell, which were closed.
+  double largest_filled_hole = 0;             ///< How large the largest of them is, a length.
+  std::size_t number_of_crumbs = 0;           ///< Bodies and cavities of less than a thousandth of a cell: left out.
+  double volume_of_crumbs = 0;                ///< Their volume, that of cavities negative.
+
+  /// `true` if nothing was left out, closed or moved.
+  bool is_taken_as_given() const
+  {
+    return number_of_turned_parts == 0 && number_of_copies == 0 && number_without_area == 0 &&
+           number_of_faces_within == 0 && number_of_stitched_vertices == 0 && number_of_aligned_vertices == 0 &&
+           number_of_filled_holes == 0 && number_of_crumbs == 0;
+  }
+};
 
 /*!
  * \ingroup PkgHexMeshOptimizationMeshing
@@ -44,7 +81,25 @@ struct Voxel_status
  * from, and that of the grid.
  */
 struct Meshing_status : Status, Voxel_status
-{};
+{
+  Surface_report surface; ///< What the surface bounds.
+
+  std::size_t number_of_bodies = 0;           ///< Of the mesh: pieces that hang together by faces.
+  std::ptrdiff_t euler_characteristic = 0;    ///< Of the boundary of the mesh.
+  std::size_t number_of_hexahedra_wanted = 0; ///< 0 if a spacing was given instead.
+
+  /// How much more or less volume than the surface's the mesh may have for the size of its cells.
+  double volume_tolerance() const { return .05 * (std::min)(spacing * surface.area, surface.volume); }
+
+  /// `true` if the mesh has as many bodies as the surface bounds, the Euler characteristic of their boundary, their volume
+  /// within `volume_tolerance()`, and is nowhere farther from the surface than a cell is long.
+  bool is_true_to_surface() const
+  {
+    return number_of_bodies == surface.number_of_bodies && has_topology_of_surface &&
+           euler_characteristic == surface.euler_characteristic &&
+           std::abs(volume_after - surface.volume) <= volume_tolerance() && deviation.maximum <= spacing;
+  }
+};
 
 } // namespace CGAL::Hex_mesh_optimization
 

@@ -14,6 +14,10 @@
 
 // Mends what Polygon_mesh_processing can of a surface that is to bound a volume.
 
+#include <CGAL/Hex_mesh_optimization/Surface_repair.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
+
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
@@ -35,6 +39,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -127,6 +132,42 @@ void repair_surface(TriangleMesh& tmesh)
     PMP::experimental::remove_self_intersections(tmesh);
   if (CGAL::is_closed(tmesh))
     PMP::orient_to_bound_a_volume(tmesh);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
+ *
+ * mends a triangle soup that is to bound a volume, where `CGAL::make_hex_mesh()` would refuse it: closes holes, whatever their
+ * size, and leaves out vertices that were pulled through the opposite side. What that function understands by itself stays:
+ * parts that overlap, touch or are turned, borders that nearly meet, copies.
+ *
+ * \tparam PointRange a `std::vector` of models of `HexMeshOptimizationPoint_3`
+ * \tparam TriangleRange a `std::vector` of arrays of three integers
+ *
+ * \return what has changed, with the volume before and after
+ *
+ * \throws Input_error where the triangles do not bound a volume together
+ */
+template <class PointRange, class TriangleRange>
+Surface_repair repair_surface(PointRange& points, TriangleRange& triangles)
+{
+  internal::Reference_input surface = internal::triangles_to_reference(points, triangles);
+  const std::size_t n = surface.triangles.size();
+  const internal::Positions before = surface.points;
+  const Surface_repair result = internal::repair_triangles(surface);
+  if (surface.triangles.size() == n && surface.points == before && result.number_of_vertices_left_out == 0)
+    return result;
+  points.clear();
+  for (const internal::Vector_3& p : surface.points)
+    points.push_back(typename PointRange::value_type(p[0], p[1], p[2]));
+  triangles.clear();
+  for (const internal::Triangle_indices& t : surface.triangles) {
+    typename TriangleRange::value_type triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle[k] = static_cast<std::decay_t<decltype(triangle[0])>>(t[k]);
+    triangles.push_back(triangle);
+  }
+  return result;
 }
 
 } // namespace CGAL::Hex_mesh_optimization

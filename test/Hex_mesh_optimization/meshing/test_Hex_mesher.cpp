@@ -6,9 +6,11 @@
 #include "../Generated_surface.h"
 
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/volume.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace {
@@ -60,6 +62,31 @@ TEST(Hex_mesher, makes_more_where_parts_are_thin_or_says_so)
 
   parameters.spacing = .25;
   EXPECT_FALSE(Hex_mesher(plate, parameters).thin_triangles.empty());
+}
+
+// A box with walls of a hundredth of its length, closed all around.
+TEST(Hex_mesher, makes_one_layer_of_a_thin_shell)
+{
+  Reference_input shell = surface_of(block(2));
+  const int n = static_cast<int>(shell.points.size());
+  const Reference_input outer = shell;
+  for (const Vector_3& p : outer.points)
+    shell.points.push_back(Vector_3::Constant(.01) + .98 * p);
+  for (const Triangle_indices& t : outer.triangles)
+    shell.triangles.push_back({t[0] + n, t[2] + n, t[1] + n});
+  Meshing_parameters parameters;
+  parameters.number_of_hexahedra = 1000;
+  const Hex_mesher mesher(shell, parameters);
+  EXPECT_TRUE(mesher.has_topology_of_surface);
+  EXPECT_NEAR(double(mesher.mesh.hexahedra.size()), 1000, 300);
+  double sum = 0;
+  for (const Hexahedron& h : mesher.mesh.hexahedra) {
+    Vector_3 corners[8];
+    for (int c = 0; c < 8; ++c)
+      corners[c] = mesher.mesh.points[h[c]];
+    sum += volume(corners);
+  }
+  EXPECT_NEAR(sum, 1 - std::pow(.98, 3), 1e-6);
 }
 
 } // namespace

@@ -114,6 +114,41 @@ void read_polygons(const std::string& filename, std::vector<Point>& points,
     throw CGAL::IO::Hex_mesh_file_error(filename, 0, "it cannot be read as a surface in ." + extension + " format");
 }
 
+// Polygons with three different vertices at least; throws Hex_mesh_file_error unless all of a file is usable.
+template <class Point>
+void read_usable_polygons(const std::string& filename, std::vector<Point>& points,
+                          std::vector<std::vector<std::size_t>>& polygons)
+{
+  using CGAL::IO::Hex_mesh_file_error;
+  read_polygons(filename, points, polygons);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const double x : coordinates(points[i]))
+      if (!std::isfinite(x))
+        throw Hex_mesh_file_error(filename, 0, "point " + std::to_string(i) + " has a coordinate that is not finite");
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    for (const std::size_t v : polygons[i])
+      if (v >= points.size())
+        throw Hex_mesh_file_error(filename, 0,
+                                  "polygon " + std::to_string(i) + " refers to point " + std::to_string(v) +
+                                    ", there are " + std::to_string(points.size()) + " points");
+  if (extension_of(filename) == "stl")
+    Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, polygons);
+  for (std::vector<std::size_t>& polygon : polygons) {
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while (polygon.size() > 1 && polygon.front() == polygon.back())
+      polygon.pop_back();
+  }
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                                [](std::vector<std::size_t> polygon) {
+                                  std::sort(polygon.begin(), polygon.end());
+                                  return polygon.size() < 3 ||
+                                         std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+                                }),
+                 polygons.end());
+  if (polygons.empty())
+    throw Hex_mesh_file_error(filename, 0, "the surface has no polygons");
+}
+
 } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
 namespace CGAL::IO {
@@ -150,37 +185,8 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
 
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
-  io::read_polygons(filename, points, polygons);
-
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (const double x : io::coordinates(points[i]))
-      if (!std::isfinite(x))
-        throw Hex_mesh_file_error(filename, 0, "point " + std::to_string(i) + " has a coordinate that is not finite");
-  for (std::size_t i = 0; i < polygons.size(); ++i)
-    for (const std::size_t v : polygons[i])
-      if (v >= points.size())
-        throw Hex_mesh_file_error(filename, 0,
-                                  "polygon " + std::to_string(i) + " refers to point " + std::to_string(v) +
-                                    ", there are " + std::to_string(points.size()) + " points");
-
-  if (io::extension_of(filename) == "stl")
-    PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
-  for (std::vector<std::size_t>& polygon : polygons) {
-    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-    while (polygon.size() > 1 && polygon.front() == polygon.back())
-      polygon.pop_back();
-  }
-  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
-                                [](std::vector<std::size_t> polygon) {
-                                  std::sort(polygon.begin(), polygon.end());
-                                  return polygon.size() < 3 ||
-                                         std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
-                                }),
-                 polygons.end());
+  io::read_usable_polygons(filename, points, polygons);
   PMP::remove_isolated_points_in_polygon_soup(points, polygons);
-  if (polygons.empty())
-    throw Hex_mesh_file_error(filename, 0, "the surface has no polygons");
-
   polygons = io::triangulated(points, std::move(polygons));
   PMP::orient_polygon_soup(points, polygons);
   if (!PMP::is_polygon_soup_a_polygon_mesh(polygons))
@@ -188,6 +194,32 @@ void read_surface(const std::string& filename, TriangleMesh& tmesh)
   TriangleMesh result;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, result);
   tmesh = std::move(result);
+}
+
+/*!
+ * \ingroup PkgHexMeshOptimizationIO
+ *
+ * reads a surface as the triangles that the file has, whatever they are together: nothing is oriented, taken apart or, but
+ * equal points of `.stl`, merged. Polygons are triangulated.
+ *
+ * \tparam Point a model of `HexMeshOptimizationPoint_3`
+ *
+ * \throws Hex_mesh_file_error as `read_surface()`
+ */
+template <class Point>
+void read_triangle_soup(const std::string& filename, std::vector<Point>& points,
+                        std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  namespace io = Hex_mesh_optimization::internal::IO;
+  std::vector<Point> new_points;
+  std::vector<std::vector<std::size_t>> polygons;
+  io::read_usable_polygons(filename, new_points, polygons);
+  polygons = io::triangulated(new_points, std::move(polygons));
+  std::vector<std::array<std::size_t, 3>> new_triangles;
+  for (const std::vector<std::size_t>& p : polygons)
+    new_triangles.push_back({p[0], p[1], p[2]});
+  points = std::move(new_points);
+  triangles = std::move(new_triangles);
 }
 
 } // namespace CGAL::IO

@@ -40,8 +40,8 @@ struct Soup_edge
   int triangle;
 };
 
-// In increasing order. Throws Input_error where a face graph could not be made of the triangles.
-inline std::vector<Soup_edge> edges_of_oriented_triangles(const std::vector<Triangle_indices>& triangles)
+// In increasing order.
+inline std::vector<Soup_edge> edges_of_triangles(const std::vector<Triangle_indices>& triangles)
 {
   std::vector<Soup_edge> edges;
   edges.reserve(3 * triangles.size());
@@ -52,6 +52,13 @@ inline std::vector<Soup_edge> edges_of_oriented_triangles(const std::vector<Tria
     }
   const auto key = [](const Soup_edge& e) { return std::tie(e.vertices, e.is_reversed, e.triangle); };
   std::sort(edges.begin(), edges.end(), [&](const Soup_edge& a, const Soup_edge& b) { return key(a) < key(b); });
+  return edges;
+}
+
+// Throws Input_error where a face graph could not be made of the triangles.
+inline std::vector<Soup_edge> edges_of_oriented_triangles(const std::vector<Triangle_indices>& triangles)
+{
+  std::vector<Soup_edge> edges = edges_of_triangles(triangles);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
     if (edges[i].vertices == edges[i + 1].vertices && edges[i].is_reversed == edges[i + 1].is_reversed)
       throw Input_error(Input_error::Element::REFERENCE_FACE, static_cast<std::size_t>(edges[i + 1].triangle),
@@ -62,9 +69,9 @@ inline std::vector<Soup_edge> edges_of_oriented_triangles(const std::vector<Tria
   return edges;
 }
 
-template <class PointRange, class TriangleRange, class NamedParameters>
-Reference_input triangle_soup_to_reference(const PointRange& points, const TriangleRange& triangles,
-                                           const NamedParameters& np)
+// However they are oriented, and however many meet in an edge.
+template <class PointRange, class TriangleRange>
+Reference_input triangles_to_reference(const PointRange& points, const TriangleRange& triangles)
 {
   const auto refuse = [](std::size_t t, const std::string& what) {
     throw Input_error(Input_error::Element::REFERENCE_FACE, t,
@@ -81,11 +88,15 @@ Reference_input triangle_soup_to_reference(const PointRange& points, const Trian
     for (const int v : vertices)
       if (v < 0 || static_cast<std::size_t>(v) >= result.points.size())
         refuse(t, "a vertex that is not one of its " + std::to_string(result.points.size()) + " points");
-    if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0])
-      refuse(t, "a vertex twice");
     result.triangles.push_back(vertices);
   }
-  const std::vector<Soup_edge> edges = edges_of_oriented_triangles(result.triangles);
+  return result;
+}
+
+template <class NamedParameters>
+void set_sharp_edges([[maybe_unused]] Reference_input& result, [[maybe_unused]] const std::vector<Soup_edge>& edges,
+                     [[maybe_unused]] const NamedParameters& np)
+{
   if constexpr (is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
     const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
     result.sharp_is_given = true;
@@ -96,6 +107,30 @@ Reference_input triangle_soup_to_reference(const PointRange& points, const Trian
         result.sharp.push_back(edges[i].vertices);
     }
   }
+}
+
+template <class PointRange, class TriangleRange, class NamedParameters>
+Reference_input triangle_soup_to_reference(const PointRange& points, const TriangleRange& triangles,
+                                           const NamedParameters& np)
+{
+  Reference_input result = triangles_to_reference(points, triangles);
+  for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+    const Triangle_indices& v = result.triangles[t];
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+      throw Input_error(Input_error::Element::REFERENCE_FACE, t,
+                        "triangle " + std::to_string(t) + " of the reference surface has a vertex twice");
+  }
+  const std::vector<Soup_edge> edges = edges_of_oriented_triangles(result.triangles);
+  set_sharp_edges(result, edges, np);
+  return result;
+}
+
+template <class PointRange, class TriangleRange, class NamedParameters>
+Reference_input any_triangles_to_reference(const PointRange& points, const TriangleRange& triangles,
+                                           const NamedParameters& np)
+{
+  Reference_input result = triangles_to_reference(points, triangles);
+  set_sharp_edges(result, edges_of_triangles(result.triangles), np);
   return result;
 }
 

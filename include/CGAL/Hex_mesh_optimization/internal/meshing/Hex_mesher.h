@@ -19,6 +19,8 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Meshing_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Patch_layers.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Shell_sweep.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_annealing.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
@@ -37,6 +39,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,34 +55,24 @@ public:
     , surface_(reference.points, reference.triangles)
     , box_(bounding_box(reference.points, reference.triangles))
   {
-    if (parameters.spacing > 0) {
-      measure_walls(parameters.spacing);
-      make(voxels(parameters.spacing), parameters.spacing);
-      return;
-    }
-    // the volume in cells, and a layer on a surface of steps, which is larger
-    const double larger = 1.4;
-    double h = solved([&](double s) { return volume() / (s * s * s) + larger * area() / (s * s); });
+    const double h = parameters.spacing > 0 ? parameters.spacing
+                                            : spacing_for(enclosed_volume(reference.points, reference.triangles),
+                                                          surface_area(reference.points, reference.triangles), wanted_);
     measure_walls(h);
-    h = thin_spacing(h);
-    double best = h, miss_of_best = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < parameters.most_attempts; ++attempt) {
-      Voxel_grid grid = voxels(h);
-      resolve(grid, h);
-      make(grid, h);
-      if (is_refined_) // for the topology: there are as many as it takes
-        break;
-      const double ratio = double(mesh.hexahedra.size()) / wanted_;
-      if (std::abs(std::log(ratio)) < miss_of_best) {
-        miss_of_best = std::abs(std::log(ratio));
-        best = h;
-      }
-      if (std::abs(ratio - 1) <= parameters.number_tolerance)
-        break;
-      if (attempt + 1 == parameters.most_attempts && best != h)
-        make(voxels(best), best);
-      h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
+    is_shell_ = parameters.cells_across == 1 &&
+                thin_part(walls_, parameters.shell_thickness * h) > parameters.least_shell_area;
+    if (is_shell_) {
+      make_shell(h);
+      if (is_swept_)
+        return;
+      is_shell_ = false;
+      is_refined_ = false;
+      measure_walls(h);
     }
+    if (parameters.spacing > 0)
+      make_with(h);
+    else
+      make_number(thin_spacing(h));
   }
 
   Hexahedra mesh;                          // with labels, in the coordinates of the surface
@@ -87,39 +80,86 @@ public:
   bool has_topology_of_surface = false;    // as far as the Euler characteristic tells
   std::vector<std::size_t> thin_triangles; // with fewer cells between them and the opposite wall than wanted
 
+  // In words, where the cells are too large for the surface to keep its topology, and which would do. The columns of `axes` are
+  // those of the coordinates of the surface in those of the caller.
+  std::string unresolved(const Matrix_3& axes) const
+  {
+    const Voxel_grid grid = voxels(spacing);
+    std::vector<Triangle_indices> inside_out = reference_.triangles;
+    for (Triangle_indices& t : inside_out)
+      std::swap(t[1], t[2]);
+    const std::vector<Wall_distance> gaps = wall_distances(reference_.points, inside_out, .7 * spacing);
+    const Wall_distance* thinnest = nullptr;
+    bool is_wall = true;
+    const auto propose = [&](const Wall_distance& p, bool wall) {
+      if (p.distance > 0 && (!thinnest || p.distance < thinnest->distance)) {
+        thinnest = &p;
+        is_wall = wall;
+      }
+    };
+    for (const Wall_distance& p : walls_)
+      if (p.distance < 2 * spacing && cells_behind(p, grid).empty())
+        propose(p, true);
+    for (const Wall_distance& p : gaps)
+      if (p.distance < 2 * spacing && is_closed(p, grid))
+        propose(p, false);
+    const std::string text = "the mesh would not have the topology of the surface: cells about " + in_digits(spacing) +
+                             " long close holes or gaps, or leave holes in walls.";
+    if (!thinnest)
+      return text + " A smaller spacing, or a larger number of hexahedra, may do";
+    const double enough = thinnest->distance / 2;
+    const double number = number_for(enclosed_volume(reference_.points, reference_.triangles),
+                                     surface_area(reference_.points, reference_.triangles), enough);
+    return text + " The thinnest " + (is_wall ? "wall" : "gap") + " that is lost is " + in_digits(thinnest->distance) +
+           " wide, at " + in_words(axes * thinnest->place) + ": a spacing of " + in_digits(enough) + ", or about " +
+           in_digits(number) + " hexahedra, would do";
+  }
+
 private:
-  double area() const
+  // One layer of cells on the half of the surface.
+  void make_shell(double h)
   {
-    double sum = 0;
-    for (const Triangle_indices& t : reference_.triangles)
-      sum += cross(t).norm() / 2;
-    return sum;
+    if (parameters_.spacing <= 0)
+      h = std::sqrt(larger_than_flat * surface_area(reference_.points, reference_.triangles) / 2 / wanted_);
+    measure_walls(h / 4);
+    if (parameters_.spacing > 0)
+      make_with(h);
+    else
+      make_number(h);
   }
 
-  double volume() const
+  void make_with(double h)
   {
-    double sum = 0;
-    for (const Triangle_indices& t : reference_.triangles)
-      sum += cross(t).dot(reference_.points[t[0]] - box_.center()) / 6;
-    return sum;
+    const Voxel_grid grid = voxels(h);
+    describe(grid);
+    if (has_topology_of_surface)
+      make(grid, h);
   }
 
-  Vector_3 cross(const Triangle_indices& t) const
+  // Until there are about as many hexahedra as wanted.
+  void make_number(double h)
   {
-    const Vector_3& a = reference_.points[t[0]];
-    return (reference_.points[t[1]] - a).cross(reference_.points[t[2]] - a);
-  }
-
-  // Where the decreasing function has the wanted number.
-  template <class Number>
-  double solved(const Number& number) const
-  {
-    double low = 0, high = box_.diagonal().norm();
-    for (int i = 0; i < 60; ++i) {
-      const double middle = (low + high) / 2;
-      (number(middle) > wanted_ ? low : high) = middle;
+    double best = h, miss_of_best = std::numeric_limits<double>::infinity();
+    for (int attempt = 0; attempt < parameters_.most_attempts; ++attempt) {
+      Voxel_grid grid = voxels(h);
+      if (!resolve(grid, h)) {
+        describe(grid);
+        return;
+      }
+      make(grid, h);
+      if (is_refined_ || (is_shell_ && !is_swept_)) // for the topology: there are as many as it takes
+        return;
+      const double ratio = double(mesh.hexahedra.size()) / wanted_;
+      if (std::abs(std::log(ratio)) < miss_of_best) {
+        miss_of_best = std::abs(std::log(ratio));
+        best = h;
+      }
+      if (std::abs(ratio - 1) <= parameters_.number_tolerance)
+        return;
+      if (attempt + 1 == parameters_.most_attempts && best != h)
+        make(voxels(best), best);
+      h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
     }
-    return high;
   }
 
   // The spacing that thin parts need, or as much of it as they may have. What is wanted grows with it.
@@ -139,7 +179,8 @@ private:
     require_countable_cells(box_, h);
     Voxel_grid grid = solid_voxels(surface_, walls_,
                                    Voxel_grid(
-                                     grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)));
+                                     grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)),
+                                   is_shell_);
     Voxel_annealing(
       grid, [&](std::size_t cell) { return distance_from(surface_, grid.center(cell)); }, parameters_.annealing);
     return grid;
@@ -153,11 +194,13 @@ private:
 
   // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one: the first that
   // loses next to no wall, or else the one that loses least.
-  void resolve(Voxel_grid& grid, double& h)
+  // Tells whether there is one with the topology of the surface.
+  bool resolve(Voxel_grid& grid, double& h)
   {
     const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
-    if (euler_characteristic(grid) == wanted && lost_part(walls_, grid) <= parameters_.tolerated_thin_area)
-      return;
+    const bool is_right = euler_characteristic(grid) == wanted;
+    if (is_right && lost_part(walls_, grid) <= parameters_.tolerated_thin_area)
+      return true;
     const double tolerated = 1e-3; // part of the surface
     const double h_before = h;
     double least = std::numeric_limits<double>::infinity();
@@ -173,14 +216,30 @@ private:
         is_refined_ = true;
       }
     }
+    return is_right || is_refined_;
+  }
+
+  // Whether no cell between a place and the opposite one, across a gap, is outside.
+  static bool is_closed(const Wall_distance& p, const Voxel_grid& grid)
+  {
+    const int steps = static_cast<int>(std::ceil(4 * p.distance / grid.least_spacing())) + 1;
+    for (int i = 0; i < steps; ++i)
+      if (!grid.is_inside[grid.cell_of(p.place + (i + .5) / steps * p.distance * p.inward)])
+        return false;
+    return true;
+  }
+
+  void describe(const Voxel_grid& grid)
+  {
+    spacing = grid.mean_spacing();
+    has_topology_of_surface = euler_characteristic(grid) == euler_characteristic(reference_.triangles);
+    thin_triangles = internal::thin_triangles(walls_, grid, parameters_.cells_across);
   }
 
   void make(const Voxel_grid& grid, double h)
   {
     require_cells_inside(grid, h);
-    spacing = grid.mean_spacing();
-    has_topology_of_surface = euler_characteristic(grid) == euler_characteristic(reference_.triangles);
-    thin_triangles = internal::thin_triangles(walls_, grid, parameters_.cells_across);
+    describe(grid);
     mesh = voxel_hexahedra(grid);
 
     // in units of the spacing, to which what is said of features refers
@@ -200,10 +259,23 @@ private:
     const Boundary_labels labels(mesh, fans, partition);
     for (std::size_t f = 0; f < fans.sides.size(); ++f)
       mesh.label[fans.sides[f]] = labels.labels[f];
-    Patch_layers(mesh, partition, parameters_.layers);
-    place_vertices(mesh, partition, parameters_.smoothing_rounds);
+    is_swept_ = is_shell_ && sweep_shell(partition);
+    if (!is_swept_) {
+      Patch_layers(mesh, partition, parameters_.layers);
+      place_vertices(mesh, partition, parameters_.smoothing_rounds);
+    }
     for (Vector_3& p : mesh.points)
       p = p * h + box_.center();
+  }
+
+  bool sweep_shell(const Surface_partition& partition)
+  {
+    Hexahedra placed = mesh;
+    place_vertices(placed, partition, parameters_.smoothing_rounds);
+    Shell_sweep sweep(placed, partition, walls_, spacing);
+    if (sweep.result)
+      mesh = std::move(*sweep.result);
+    return sweep.result.has_value();
   }
 
   const Meshing_parameters parameters_;
@@ -211,6 +283,9 @@ private:
   const Triangle_surface surface_;
   const Eigen::AlignedBox3d box_;
   std::vector<Wall_distance> walls_;
+  static constexpr double larger_than_flat = 1.4; // a surface of steps than a surface
+  bool is_shell_ = false;                         // most of it is a wall thinner than a cell
+  bool is_swept_ = false;
   bool is_refined_ = false;
   double wanted_ = double(parameters_.number_of_hexahedra); // number of hexahedra
 };

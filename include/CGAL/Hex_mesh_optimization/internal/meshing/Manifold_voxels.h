@@ -29,11 +29,12 @@ public:
   // cost(cell): of the change of a cell of the box, not negative; of two changes that mend as much the cheaper is made.
   // Ends: a step leaves fewer contacts than there were, and when none does, those that are left
   // are filled; the whole box has none.
+  // only_by_adding: no cell is removed.
   template <class Cost>
-  Manifold_voxels(Voxel_grid& grid, const Cost& cost) : grid_(grid)
+  Manifold_voxels(Voxel_grid& grid, const Cost& cost, bool only_by_adding = false) : grid_(grid)
   {
     std::vector<std::size_t> bad = bad_nodes();
-    for (bool only_adds : {false, true})
+    for (bool only_adds : {only_by_adding, true})
       while (!bad.empty()) {
         bool any = false;
         for (const std::size_t node : bad)

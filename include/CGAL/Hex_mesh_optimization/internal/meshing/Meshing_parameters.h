@@ -35,6 +35,10 @@ struct Meshing_parameters
   // behind it, or there are so many times more hexahedra than wanted.
   double tolerated_thin_area = .01;
   double most_excess = 8;
+  // Where more of the surface has its opposite wall closer than this part of a cell, the solid is a shell: its walls get one
+  // layer of cells, however thin they are.
+  double least_shell_area = .5;
+  double shell_thickness = .9;
   // The number of hexahedra is met within this part of it, if that many attempts find it.
   double number_tolerance = .1;
   int most_attempts = 4;

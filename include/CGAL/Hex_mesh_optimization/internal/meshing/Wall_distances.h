@@ -33,8 +33,9 @@ struct Wall_distance
   Vector_3 place;  // on the surface
   Vector_3 inward; // unit normal
   std::size_t triangle;
-  double area;     // that it stands for
-  double distance; // to the wall, infinite if what is met is no opposite wall
+  double area;              // that it stands for
+  double distance;          // to the wall, infinite if what is met is no opposite wall
+  std::size_t opposite = 0; // the triangle that is met, if it is
 };
 
 // At places spread over the surface, about `spacing` apart, but no fewer than one for each triangle with an area. A wall
@@ -68,14 +69,17 @@ inline std::vector<Wall_distance> wall_distances(const Positions& points,
     for_parts(a, b, c, spacing, [&](const Vector_3& place, double area) {
       const aabb::Kernel::Ray_3 ray(aabb::point(place), aabb::Kernel::Vector_3(inward[0], inward[1], inward[2]));
       double distance = std::numeric_limits<double>::infinity();
+      std::size_t met = 0;
       const auto found = tree.first_intersection(ray, [&](const aabb::Triangle_iterator& other) {
         return static_cast<std::size_t>(other - soup.cbegin()) == s;
       });
       if (found)
         if (const auto* wall = aabb::get_if<aabb::Kernel::Point_3>(&found->first))
-          if (normal(*found->second).dot(inward) > opposite)
+          if (normal(*found->second).dot(inward) > opposite) {
             distance = (aabb::vector(*wall) - place).norm();
-      result.push_back({place, inward, index[s], area, distance});
+            met = index[static_cast<std::size_t>(found->second - soup.cbegin())];
+          }
+      result.push_back({place, inward, index[s], area, distance, met});
     });
   }
   return result;

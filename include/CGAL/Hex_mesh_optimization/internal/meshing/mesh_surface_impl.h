@@ -14,6 +14,8 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_repair.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_check.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
@@ -24,7 +26,10 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -33,20 +38,63 @@ namespace CGAL::Hex_mesh_optimization::internal {
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
 void require_volume(const Reference_input& surface) { Surface_check check(surface); }
 
-CGAL_HEX_MESH_OPTIMIZATION_INLINE
-Meshed_surface mesh_surface(const Reference_input& surface, const Meshing_parameters& parameters)
+// Of the boundary, where it is a manifold of quadrilaterals: these have twice as many edges.
+inline std::ptrdiff_t euler_characteristic(const Hexahedra& mesh)
 {
-  require_volume(surface);
-  const Matrix_3 axes = grid_axes(surface.points, surface.triangles, parameters.grid);
-  Reference_input turned = surface;
+  const std::vector<std::ptrdiff_t> opposite = opposite_sides(mesh);
+  std::set<int> vertices;
+  std::ptrdiff_t faces = 0;
+  for (std::size_t side = 0; side < opposite.size(); ++side)
+    if (opposite[side] < 0) {
+      ++faces;
+      for (int v : mesh.face(side))
+        vertices.insert(v);
+    }
+  return static_cast<std::ptrdiff_t>(vertices.size()) - faces;
+}
+
+// Sets the rest of a body with a surface and parameters.
+inline void mesh_body(Meshed_body& body)
+{
+  const Matrix_3 axes = grid_axes(body.surface.points, body.surface.triangles, body.parameters.grid);
+  Reference_input turned = body.surface;
   for (Vector_3& p : turned.points)
     p = axes.transpose() * p;
-  Hex_mesher mesher(turned, parameters);
-  for (Vector_3& p : mesher.mesh.points)
-    p = axes * p;
-  return {std::move(mesher.mesh.points),
-          std::move(mesher.mesh.hexahedra),
-          {mesher.spacing, mesher.has_topology_of_surface, std::move(mesher.thin_triangles)}};
+  Hex_mesher mesher(turned, body.parameters);
+  if (!mesher.has_topology_of_surface)
+    throw Input_error(Input_error::Element::MESH, 0, mesher.unresolved(axes));
+  body.points.clear();
+  for (const Vector_3& p : mesher.mesh.points)
+    body.points.push_back(axes * p);
+  body.status = {mesher.spacing, mesher.has_topology_of_surface, {}};
+  for (std::size_t t : mesher.thin_triangles)
+    body.status.thin_faces.push_back(body.face_of[t]);
+  body.euler_characteristic = euler_characteristic(mesher.mesh);
+  body.area = surface_area(body.surface.points, body.surface.triangles);
+  body.hexahedra = std::move(mesher.mesh.hexahedra);
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters& parameters)
+{
+  Solid_of_surface solid(surface, double(parameters.number_of_hexahedra), parameters.spacing);
+  const double h = spacing_for(solid.report.volume, solid.report.area, double(parameters.number_of_hexahedra));
+  Meshed_solid result;
+  for (Solid_of_surface::Body& body : solid.bodies) {
+    Meshed_body meshed;
+    meshed.parameters = parameters;
+    if (solid.bodies.size() > 1) {
+      const double share = number_for(body.volume, surface_area(body.surface.points, body.surface.triangles), h);
+      meshed.parameters.number_of_hexahedra = (std::max)(std::size_t(1), static_cast<std::size_t>(share));
+    }
+    meshed.surface = std::move(body.surface);
+    meshed.face_of = std::move(body.face_of);
+    mesh_body(meshed);
+    result.bodies.push_back(std::move(meshed));
+  }
+  result.report = solid.report;
+  result.diagonal = bounding_box(surface.points, surface.triangles).diagonal().norm();
+  return result;
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
@@ -62,6 +110,32 @@ Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, 
           std::move(mesh.hexahedra),
           {grid.mean_spacing(), euler_characteristic(grid) == euler_characteristic(surface.triangles),
            thin_triangles(walls, grid, cells_across)}};
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+std::optional<Meshed_body> mesh_again(const Meshed_body& body, double factor)
+{
+  Meshed_body result;
+  result.parameters = body.parameters;
+  result.parameters.number_of_hexahedra = static_cast<std::size_t>(factor *
+                                                                   double(body.parameters.number_of_hexahedra));
+  result.surface = body.surface;
+  result.face_of = body.face_of;
+  try {
+    mesh_body(result);
+  }
+  catch (const Input_error&) { // its cells do not resolve the surface, though others do
+    return std::nullopt;
+  }
+  return result;
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+Surface_repair repair_triangles(Reference_input& surface)
+{
+  Soup_repair repaired(surface);
+  surface = std::move(repaired.surface);
+  return std::move(repaired.report);
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE

@@ -60,6 +60,18 @@ inline double lost_part(const std::vector<Wall_distance>& places, const Voxel_gr
   return lost / total;
 }
 
+// The part of the surface whose opposite wall is closer than that.
+inline double thin_part(const std::vector<Wall_distance>& places, double distance)
+{
+  double thin = 0, total = 0;
+  for (const Wall_distance& p : places) {
+    total += p.area;
+    if (p.distance < distance)
+      thin += p.area;
+  }
+  return thin / total;
+}
+
 // Walls that fit between the centers of cells keep the cells in their middle, unless they are thinner than `least` cells.
 inline void keep_thin_walls(const std::vector<Wall_distance>& places, double least, Voxel_grid& grid)
 {
@@ -69,6 +81,17 @@ inline void keep_thin_walls(const std::vector<Wall_distance>& places, double lea
       continue;
     const std::size_t cell = grid.cell_of(p.place + p.distance / 2 * p.inward);
     if (grid.is_in_box(cell))
+      grid.is_inside[cell] = true;
+  }
+}
+
+// Walls thinner than a cell get all cells that their middle passes: they hang together by faces, one cell thick. Places are
+// denser than cells.
+inline void fill_thin_walls(const std::vector<Wall_distance>& places, Voxel_grid& grid)
+{
+  for (const Wall_distance& p : places) {
+    const std::size_t cell = grid.cell_of(p.place + p.distance / 2 * p.inward);
+    if (p.distance < grid.mean_spacing() && grid.is_in_box(cell))
       grid.is_inside[cell] = true;
   }
 }

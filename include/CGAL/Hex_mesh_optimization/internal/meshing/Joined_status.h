@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Hex_mesh_optimization authors
+
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_JOINED_STATUS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_JOINED_STATUS_H
+
+// One status for several meshes that were optimized one after the other and are now one.
+
+#include <CGAL/Hex_mesh_optimization/Meshing_status.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/quality_statistics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Hex_mesh_optimization::internal {
+
+class Joined_status
+{
+public:
+  // diagonal: of the box of all
+  explicit Joined_status(double diagonal) : diagonal_(diagonal) {}
+
+  Status status;
+  Voxel_status of_grids;
+  Positions points;
+  std::vector<Hexahedron> hexahedra;
+
+  // area: of the boundary
+  void add(Status part, Voxel_status of_grid, const Positions& positions, const std::vector<Hexahedron>& corners,
+           double area)
+  {
+    const std::size_t n = hexahedra.size(), first_vertex = points.size();
+    shift(part, first_vertex, n);
+    join(of_grid, corners.size());
+    if (n == 0) {
+      status = std::move(part);
+      area_ = area;
+    }
+    else
+      join(part, area, n, corners.size());
+    points.insert(points.end(), positions.begin(), positions.end());
+    for (Hexahedron h : corners) {
+      for (int& v : h)
+        v += static_cast<int>(first_vertex);
+      hexahedra.push_back(h);
+    }
+    is_one_ = n == 0;
+  }
+
+  // After the last one.
+  void finish()
+  {
+    std::sort(of_grids.thin_faces.begin(), of_grids.thin_faces.end());
+    of_grids.thin_faces.erase(std::unique(of_grids.thin_faces.begin(), of_grids.thin_faces.end()),
+                              of_grids.thin_faces.end());
+    if (is_one_)
+      return;
+    status.after = quality_statistics(points, hexahedra);
+    status.deviation.average_relative = status.deviation.average / diagonal_;
+    status.deviation.maximum_relative = status.deviation.maximum / diagonal_;
+  }
+
+private:
+  static void append(std::vector<std::size_t>& list, const std::vector<std::size_t>& more)
+  {
+    list.insert(list.end(), more.begin(), more.end());
+  }
+
+  static void shift(Status& part, std::size_t vertices, std::size_t of_hexahedra)
+  {
+    for (std::vector<std::size_t>* list : {&part.invalid_hexahedra, &part.locked_hexahedra, &part.turned_hexahedra})
+      for (std::size_t& h : *list)
+        h += of_hexahedra;
+    for (std::size_t& v : part.released_vertices)
+      v += vertices;
+    for (Connectivity_limit& limit : part.connectivity_limits)
+      limit.hexahedron += of_hexahedra;
+  }
+
+  // The mean over as many cells.
+  void join(Voxel_status& of_grid, std::size_t cells)
+  {
+    const double before = double(hexahedra.size()), all = before + double(cells);
+    of_grids.spacing = std::cbrt(
+      (before * std::pow(of_grids.spacing, 3) + double(cells) * std::pow(of_grid.spacing, 3)) / all);
+    of_grids.has_topology_of_surface = of_grids.has_topology_of_surface && of_grid.has_topology_of_surface;
+    append(of_grids.thin_faces, of_grid.thin_faces);
+  }
+
+  void join(const Status& part, double area, std::size_t n, std::size_t m)
+  {
+    status.return_code = (std::max)(status.return_code, part.return_code,
+                                    [](Return_code a, Return_code b) { return severity(a) < severity(b); });
+    join(status.before, part.before, double(n), double(m));
+    status.deviation.average = (status.deviation.average * area_ + part.deviation.average * area) / (area_ + area);
+    area_ += area;
+    status.deviation.maximum = (std::max)(status.deviation.maximum, part.deviation.maximum);
+    status.deviation.certified = (std::max)(status.deviation.certified, part.deviation.certified);
+    status.deviation.bilinear = (std::max)(status.deviation.bilinear, part.deviation.bilinear);
+    for (std::size_t i = 0; i < (std::min)(status.regions.size(), part.regions.size()); ++i) {
+      status.regions[i].before += part.regions[i].before; // one, as there are no labels
+      status.regions[i].after += part.regions[i].after;
+    }
+    status.volume_before += part.volume_before;
+    status.volume_after += part.volume_after;
+    status.iterations += part.iterations;
+    status.rectification_seconds += part.rectification_seconds;
+    status.untangling_seconds += part.untangling_seconds;
+    status.maximization_seconds += part.maximization_seconds;
+    status.total_seconds += part.total_seconds;
+    append(status.invalid_hexahedra, part.invalid_hexahedra);
+    append(status.locked_hexahedra, part.locked_hexahedra);
+    append(status.turned_hexahedra, part.turned_hexahedra);
+    append(status.released_vertices, part.released_vertices);
+    status.connectivity_limits.insert(status.connectivity_limits.end(), part.connectivity_limits.begin(),
+                                      part.connectivity_limits.end());
+    status.number_of_coincident_vertices += part.number_of_coincident_vertices;
+  }
+
+  // Of a mesh of which the positions are not there any more: the median is the mean of both.
+  static void join(Quality_statistics& a, const Quality_statistics& b, double n, double m)
+  {
+    const auto mean = [&](double x, double y) { return (n * x + m * y) / (n + m); };
+    const double average = mean(a.average, b.average);
+    const auto squares = [&](const Quality_statistics& s) {
+      return s.standard_deviation * s.standard_deviation + (s.average - average) * (s.average - average);
+    };
+    a.standard_deviation = std::sqrt(mean(squares(a), squares(b)));
+    a.average = average;
+    a.average_with_center = mean(a.average_with_center, b.average_with_center);
+    a.median_edge_ratio = mean(a.median_edge_ratio, b.median_edge_ratio);
+    a.number_of_hexahedra += b.number_of_hexahedra;
+    a.number_of_inverted += b.number_of_inverted;
+    a.number_of_invalid += b.number_of_invalid;
+    a.minimum = (std::min)(a.minimum, b.minimum);
+    a.minimum_with_center = (std::min)(a.minimum_with_center, b.minimum_with_center);
+    a.maximum_edge_ratio = (std::max)(a.maximum_edge_ratio, b.maximum_edge_ratio);
+    a.edge_ratio_99 = (std::max)(a.edge_ratio_99, b.edge_ratio_99);
+  }
+
+  // What is worth saying of all, if one of them ended so.
+  static int severity(Return_code code)
+  {
+    switch (code) {
+    case Return_code::STOPPED_BY_VISITOR:
+      return 6;
+    case Return_code::TIME_LIMIT:
+      return 5;
+    case Return_code::DEVIATION_BOUND_NOT_MET:
+      return 4;
+    case Return_code::ITERATION_LIMIT:
+      return 3;
+    case Return_code::CONVERGED:
+      return 2;
+    case Return_code::TARGET_QUALITY_REACHED:
+      return 1;
+    case Return_code::NO_IMPROVEMENT:
+      return 0;
+    }
+    return 0;
+  }
+
+  const double diagonal_;
+  double area_ = 0;
+  bool is_one_ = true;
+};
+
+} // namespace CGAL::Hex_mesh_optimization::internal
+
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_JOINED_STATUS_H
