@@ -109,11 +109,6 @@ struct Boundary_sample_parameters
   // A step may not take a sample farther than this part of the bound, or so much farther than it is.
   double most_of_bound = 1;
   double most_growth = 1.2;
-  // Further samples, on a lattice of so many parts along an edge, weigh so much; those of the reference are nearer by
-  // the factor.
-  int parts = 3;
-  double further_weight = .1;
-  double reference_refinement = .7;
   // What a sample at a place that was found beyond the bound weighs, and the area that it stands for on the reference.
   double weight_beyond = .1;
   double area_beyond = .05;
@@ -169,9 +164,8 @@ public:
     , thickness_(thicknesses(complex, lengths))
     , own_count_(add_samples(complex))
     , targets_(surface, own_count_)
-    , reference_links_(faces_, surface,
-                       parameters.reference_spacing * (is_bounded() ? parameters.reference_refinement : 1),
-                       parameters.crest_spacing, this->has_tolerance() ? parameters.crest_width : 0)
+    , reference_links_(faces_, surface, parameters.reference_spacing, parameters.crest_spacing,
+                       this->has_tolerance() ? parameters.crest_width : 0)
     , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
   {}
 
@@ -446,8 +440,6 @@ private:
     }
     for (std::size_t f = 0; f < faces_.quads.size(); ++f)
       add(on_face(f, .5, .5, 1.0));
-    if (is_bounded())
-      add_further_samples();
     int last_edge = -1;
     for (const Surface_faces::Edge& e : faces_.edges) {
       const std::array<int, 2>& ends = complex.edges[e.edge];
@@ -457,23 +449,8 @@ private:
       last_edge = e.edge;
       const Vertex_kind kind = curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE;
       add({{ends[0], ends[1]}, {.5, .5}, 2, e.face, parameters_.edge_weight, kind, curve});
-      for (int k = 1; is_bounded(e.face) && k < parameters_.parts; ++k)
-        if (2 * k != parameters_.parts) {
-          const double u = double(k) / parameters_.parts;
-          add({{ends[0], ends[1]}, {1 - u, u}, 2, e.face, parameters_.further_weight, kind, curve});
-        }
     }
     return samples_.size();
-  }
-
-  void add_further_samples()
-  {
-    const int n = parameters_.parts;
-    for (std::size_t f = 0; f < faces_.quads.size(); ++f)
-      for (int i = 1; i < n && is_bounded(static_cast<int>(f)); ++i)
-        for (int j = 1; j < n; ++j)
-          if (2 * i != n || 2 * j != n)
-            add(on_face(f, double(i) / n, double(j) / n, parameters_.further_weight));
   }
 
   // On the triangle of a face that it is in: the reference is split in the same way where it is the boundary that came

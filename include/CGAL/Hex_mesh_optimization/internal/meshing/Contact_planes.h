@@ -131,7 +131,7 @@ private:
     std::vector<int> open;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       if (is_member_[t]) {
-        planes_of_[t].push_back(largest_[sets_.find(t)]);
+        planes_of_[static_cast<int>(t)].push_back(largest_[sets_.find(t)]);
         open.push_back(static_cast<int>(t));
       }
     for (std::size_t i = 0; i < open.size(); ++i)
