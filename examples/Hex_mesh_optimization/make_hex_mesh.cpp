@@ -167,9 +167,9 @@ void print(const HMO::Surface_report& surface)
 void print_differences(const HMO::Meshing_status& status)
 {
   const HMO::Surface_report& surface = status.surface;
-  print_row("volume of the surface", "", text(surface.volume));
-  print_row("bodies", text(surface.number_of_bodies), text(status.number_of_bodies));
-  print_row("Euler characteristic", text(surface.euler_characteristic), text(status.euler_characteristic));
+  print(Report_row{"volume of the surface", "", text(surface.volume)});
+  print(Report_row{"bodies", text(surface.number_of_bodies), text(status.number_of_bodies)});
+  print(Report_row{"Euler characteristic", text(surface.euler_characteristic), text(status.euler_characteristic)});
   if (status.number_of_bodies != surface.number_of_bodies)
     std::cout << "THE MESH HAS " << status.number_of_bodies << " BODIES, the surface bounds "
               << surface.number_of_bodies << ".\n";

@@ -252,11 +252,16 @@ inline void print_connectivity_limits(const HMO::Status& status)
               << " have a limit below 1 from the connectivity and are below it.\n";
 }
 
+inline void print(const Report_row& row)
+{
+  std::cout << std::left << std::setw(32) << row.title << std::right << std::setw(12) << row.before << std::setw(12)
+            << row.after << '\n';
+}
+
 inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labels& labels = Labels())
 {
   for (const Report_row& row : table(status, labels))
-    std::cout << std::left << std::setw(32) << row.title << std::right << std::setw(12) << row.before << std::setw(12)
-              << row.after << '\n';
+    print(row);
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
   if (status.number_of_turned_hexahedra() > 0)
     std::cout << status.number_of_turned_hexahedra() << " hexahedra were numbered inside out: they are written "

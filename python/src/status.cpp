@@ -134,7 +134,7 @@ py::dict as_dict(const HMO::Status& s, const Points& points, const Table& hexahe
   return result;
 }
 
-void add_to(py::dict& dict, const HMO::Voxel_status& status)
+void add_to(py::dict& dict, const HMO::Meshing_status& status)
 {
   dict["spacing"] = status.spacing;
   dict["has_topology_of_surface"] = status.has_topology_of_surface;

@@ -17,6 +17,6 @@
 py::dict as_dict(const HMO::Quality_statistics& statistics);
 py::dict as_dict(const HMO::Status& status, const Points& points, const Table& hexahedra, const Labels& labels,
                  const Watcher& watcher);
-void add_to(py::dict& dict, const HMO::Voxel_status& status);
+void add_to(py::dict& dict, const HMO::Meshing_status& status);
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_PYTHON_STATUS_H

@@ -28,7 +28,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 struct Interior_point_parameters
 {
   // The barrier of a corner: its weight, its width, and how far below the minimum of now it is infinite. Once no step had to
-  // be held back, as with this gap, the others hardly matter (benchmark/feasible.py).
+  // be held back, as with this gap, the others hardly matter (benchmark/Hex_mesh_optimization/valid_meshes.py).
   double weight = .1;
   double width = .05;
   double gap = 3e-4;
