@@ -215,4 +215,5 @@ def test_another_signal_handler_is_heard() -> None:
 def test_a_valid_mesh_stays_valid_when_it_is_stopped_at_once() -> None:
     points, hexahedra = shaken_block(4, 0.1)
     result, status = hmo.optimize(points, hexahedra, progress=lambda i: False)
-    assert status.valid_mesh and np.array_equal(result[~interior(block(4)[0])], points[~interior(block(4)[0])])
+    assert status.valid_mesh and status.iterations == 1
+    assert status.after.minimum >= status.before.minimum

@@ -262,7 +262,8 @@ def test_feature_edges_are_given() -> None:
     edges = np.array([[a, b] for a in range(8) for b in range(a) if np.abs(vertices[a] - vertices[b]).sum() == 2])
     given = hmo.optimize(points, hexahedra, reference=(vertices, triangles), edge_is_constrained_map=edges)
     assert given[1].valid_mesh
-    assert np.abs(given[0] - block(2)[0]).max() < 0.05
+    corners = [v for v, p in enumerate(block(2)[0]) if set(p) <= {0.0, 2.0}]
+    assert np.abs(given[0] - block(2)[0])[corners].max() < 1e-9  # where the edges that are given meet
     assert hmo.make(vertices, triangles, cells=30, edge_is_constrained_map=edges)[2].valid_mesh
 
 

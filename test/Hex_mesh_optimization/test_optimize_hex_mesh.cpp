@@ -750,7 +750,7 @@ TEST_P(Optimize_hex_mesh, stops_when_the_time_is_over)
 TEST(Optimize_hex_mesh_limits, hold_within_a_run)
 {
   Indexed_mesh mesh;
-  HMO::make_block(mesh.points, mesh.hexahedra, {{12, 12, 12}});
+  HMO::make_block(mesh.points, mesh.hexahedra, {{30, 30, 30}});
   HMO::scramble_interior(mesh.points, mesh.hexahedra, 1);
   const Indexed_mesh input = mesh;
   const Status status = optimize(mesh, params::maximum_running_time(.1));

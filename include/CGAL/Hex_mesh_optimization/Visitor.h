@@ -22,13 +22,13 @@ namespace CGAL::Hex_mesh_optimization {
 
 /*!
  * \ingroup PkgHexMeshOptimizationResults
- * The state after one iteration.
+ * The best state of the run after one iteration, in the order of goals: what the mesh becomes if the run is stopped then.
  */
 struct Iteration
 {
   Stage stage;           ///< The part of the optimization that it belongs to.
   std::size_t iteration; ///< Counted from 0 within the stage.
-  double energy;         ///< Of the stage, after the iteration (eq. 25 of the paper for rectification); scale-free.
+  double energy; ///< Of the stage, in the state of the iteration (eq. 25 of the paper for rectification); scale-free.
   std::size_t number_of_inverted; ///< Hexahedra with a corner of scaled Jacobian at most 0.
   double minimum;                 ///< Least scaled Jacobian over the hexahedra (8 corners).
   double average;                 ///< Mean of the scaled Jacobians of the hexahedra.

@@ -138,7 +138,7 @@ TEST_F(Surface_file, surface_errors)
   fails("a.ply", binary + "end_header\n" + std::string(60, '\0'), 0, "the file ends within the data");
   fails("a.stl", std::string(80, ' ') + std::string(4, '\xff') + std::string(50, '\0'), 0, ".stl format");
   fails("a.xyz", "0 0 0\n", 0, "the format is unknown");
-  fails("a.mesh", medit_header + medit_vertices() + medit_hexahedra, 0, "no polygons");
+  fails("a.mesh", medit_header + medit_vertices(), 0, "no polygons");
   fails("a.mesh", medit_header + medit_vertices() + "Triangles\n1\n1 2 9 0\n", 15, "vertex 9 does not exist");
   fails("a.vtk", vtk_header + vtk_points + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n9\n", 15, "cell 0: it has 3 vertices");
   EXPECT_EQ(num_vertices(surface), 1u);

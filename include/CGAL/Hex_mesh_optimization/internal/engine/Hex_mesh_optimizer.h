@@ -236,16 +236,19 @@ private:
            standing.away.in_all == 0;
   }
 
-  // Whether the minimum is to be raised, and can be without raising the most of the mesh.
+  // Whether the minimum is to be raised, and can be without raising the most of the mesh, unless all of that is poor; or what
+  // was tangled has not been maximized yet.
   bool needs_maximin(const Positions& points)
   {
     const Mesh_quality quality(mesh_.complex, points);
     if (quality.inverted > 0)
       return false;
-    if (!standing_of(points).is_good())
-      return true;
+    if (!standing_of(points).is_good() || (report_.status.before.number_of_invalid > 0 && !has_maximized_))
+      return quality.minimum < parameters_.target_quality || !standing_of(points).is_good();
     if (quality.minimum >= worth_raising_to())
       return false;
+    if (quality.average < worth_raising_to())
+      return true;
     std::vector<double> sorted = quality.scaled_jacobians;
     const auto rank = sorted.begin() +
                       static_cast<std::ptrdiff_t>(parameters_.maximization.floor.fraction * double(sorted.size()));
@@ -547,6 +550,7 @@ private:
 
   Stage_end maximize(Positions& points)
   {
+    has_maximized_ = true;
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
     Maximization_problem problem = maximization_problem(held);
@@ -613,6 +617,7 @@ private:
   double bound_; // of the deviation, in mean boundary edges
   const Boundary_attachment* attachment_ = &model_.attachment;
   bool stays_within_ = false; // the bound, which may be loosened for a time otherwise
+  bool has_maximized_ = false;
   std::optional<Boundary_samples> samples_, judging_samples_;
 
   struct Incumbent
