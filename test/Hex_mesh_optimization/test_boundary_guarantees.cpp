@@ -335,7 +335,7 @@ TEST(Spare_quality, goes_into_the_largest_deviation)
     const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, reference);
     EXPECT_TRUE(status.valid_mesh());
     EXPECT_GT(status.after.minimum, .85);
-    EXPECT_LT(status.deviation.maximum_relative, 2.2e-3 / .12 * height)
+    EXPECT_LT(status.deviation.maximum_relative, 2.4e-3 / .12 * height)
       << "in proportion to the curvature; 2.7e-3 where nothing is spent";
     EXPECT_TRUE(std::isinf(status.deviation_bound)) << "none was asked for";
 

@@ -269,7 +269,7 @@ TEST_P(Never_worse, whatever_the_options)
   const Damage damage = std::get<1>(GetParam());
   Tally tally;
   const char* const given = std::getenv("NEVER_WORSE_CASES");
-  const std::uint64_t number_of_cases = given ? std::strtoull(given, nullptr, 10) : 10;
+  const std::uint64_t number_of_cases = given ? std::strtoull(given, nullptr, 10) : 6;
   ASSERT_GT(number_of_cases, 0u);
   for (std::uint64_t seed = 0; seed < number_of_cases; ++seed) {
     const Options options(seed, case_name({GetParam(), 0}));
