@@ -233,27 +233,34 @@ private:
   {
     const Standing standing = standing_of(points);
     return report_.status.before.number_of_invalid == 0 && standing.invalid == 0 && standing.excess <= 1 &&
-           standing.away.in_all == 0;
+           standing.away.in_all == 0 && (!model_.reference_is_given || is_limited(Mesh_quality(mesh_.complex, points)));
   }
 
-  // Whether the minimum is to be raised, and can be without raising the most of the mesh, unless all of that is poor; or what
-  // was tangled has not been maximized yet.
+  // Whether the minimum is to be raised while the boundary is loose. What was brought to its best within its boundary leaves
+  // that only where it is poor.
   bool needs_maximin(const Positions& points)
   {
     const Mesh_quality quality(mesh_.complex, points);
     if (quality.inverted > 0)
       return false;
-    if (!standing_of(points).is_good() || (report_.status.before.number_of_invalid > 0 && !has_maximized_))
-      return quality.minimum < parameters_.target_quality || !standing_of(points).is_good();
-    if (quality.minimum >= worth_raising_to())
-      return false;
-    if (quality.average < worth_raising_to())
+    if (!standing_of(points).is_good())
       return true;
+    if (quality.minimum >= parameters_.target_quality)
+      return false;
+    if (has_maximized_)
+      return quality.minimum < worth_raising_to();
+    return report_.status.before.number_of_invalid > 0 || !is_limited(quality);
+  }
+
+  // Whether the connectivity seems to limit the minimum: it is poor, and so are many hexahedra, but not most.
+  bool is_limited(const Mesh_quality& quality) const
+  {
     std::vector<double> sorted = quality.scaled_jacobians;
     const auto rank = sorted.begin() +
                       static_cast<std::ptrdiff_t>(parameters_.maximization.floor.fraction * double(sorted.size()));
     std::nth_element(sorted.begin(), rank, sorted.end());
-    return *rank >= quality.minimum + parameters_.least_lag;
+    return quality.minimum < worth_raising_to() && *rank < quality.minimum + parameters_.least_lag &&
+           quality.average >= worth_raising_to();
   }
 
   // Whether what comes before quality is not met.
