@@ -131,7 +131,7 @@ private:
     return {
       {"projection", [this](const Reached& best) { return is_off_reference(best.points); },
        [this](const Reached& best) { return projected(best); },
-       [this](const Reached& reached, const Reached&) { return is_good(reached.points); }},
+       [this](const Reached& reached, const Reached& best) { return is_as_good(reached.points, best.points); }},
       {"untangling within the boundary", [this](const Reached& best) { return may_hold_boundary(best.points); },
        [this](const Reached& best) { return untangled_within_boundary(best); }, if_better},
       {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
@@ -185,7 +185,7 @@ private:
   // Whether hexahedra are inverted, and the boundary is good enough to stay where it is.
   bool may_hold_boundary(const Positions& points)
   {
-    return number_of_inverted(points) > 0 && !is_off_reference(points) &&
+    return number_of_inverted(points) > 0 && !model_.reference_is_given &&
            limit_of_held_boundary(points) >= parameters_.worth_holding_boundary &&
            std::any_of(model_.attachment.kind.begin(), model_.attachment.kind.end(),
                        [](Vertex_kind kind) { return kind != Vertex_kind::INTERIOR && kind != Vertex_kind::FIXED; });
@@ -271,9 +271,11 @@ private:
 
   bool is_beyond_bound(const Positions& points) { return has_bound() && !is_shown_within_bound(points); }
 
-  bool is_good(const Positions& points)
+  // Whether a mesh is where it has to be, at hardly any cost of the minimum.
+  bool is_as_good(const Positions& points, const Positions& than)
   {
-    return standing_of(points).is_good() && Mesh_quality(mesh_.complex, points).minimum >= worth_raising_to();
+    return standing_of(points).is_good() && Mesh_quality(mesh_.complex, points).minimum >=
+                                              Mesh_quality(mesh_.complex, than).minimum - parameters_.projection_loss;
   }
 
   bool may_raise_within_bound(const Positions& points)

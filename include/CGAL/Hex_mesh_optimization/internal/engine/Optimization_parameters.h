@@ -39,6 +39,8 @@ struct Optimization_parameters : Chosen_parameters
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
+  // What a projection onto the reference may cost of the minimum.
+  double projection_loss = .02;
   // A tangled interior is brought to its best within a boundary that allows this minimum, before any of that moves.
   double worth_holding_boundary = .3;
   // The minimum of a mesh that is within its tolerance is raised where it is this far behind most of the hexahedra; else it
