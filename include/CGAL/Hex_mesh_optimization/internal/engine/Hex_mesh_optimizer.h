@@ -100,6 +100,7 @@ private:
   {
     Positions points;
     Stage_end end = Stage_end::CONVERGED; // of the last stage that the points come from
+    bool is_maximized = false;
   };
 
   // One way from the best state so far to a better one.
@@ -121,7 +122,7 @@ private:
     const auto is_tangled = [this](const Reached& best) { return number_of_inverted(best.points) > 0; };
     const Attempt last_untangling{"untangling", is_tangled,
                                   [this](const Reached& best) { return untangled(best, First::LAST); }, whatever};
-    const Attempt maximin{"maximin", [this](const Reached& best) { return needs_maximin(best.points); },
+    const Attempt maximin{"maximin", [this](const Reached& best) { return needs_maximin(best); },
                           [this](const Reached& best) { return maximized(best); }, if_better};
     if (parameters_.method == Method::RECTIFICATION)
       return {{"rectification", always, [this](const Reached&) { return rectified(parameters_.target_quality, 0); },
@@ -137,7 +138,7 @@ private:
       {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
        [this](const Reached& best) { return untangled(best, First::FIRST); }, if_better},
       {"rectification", is_tangled, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
-      {"interior point", [this](const Reached& best) { return is_near_feasible(best.points); },
+      {"interior point", [this](const Reached& best) { return may_step_feasibly(best.points); },
        [this](const Reached& best) { return improved_within(best); },
        [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
       maximin,
@@ -228,26 +229,27 @@ private:
 
   bool is_feasible(const Positions& points) { return standing_of(points).is_good(); }
 
-  // Whether the mesh came in valid, and is within twice its tolerance, from where feasible steps come back.
-  bool is_near_feasible(const Positions& points)
+  // Whether the mesh came in valid; one that has to be brought to a reference has to give way for that, unless its minimum is
+  // limited anyway.
+  bool may_step_feasibly(const Positions& points) const
   {
-    const Standing standing = standing_of(points);
-    return report_.status.before.number_of_invalid == 0 && standing.invalid == 0 && standing.excess <= 1 &&
-           standing.away.in_all == 0 && (!model_.reference_is_given || is_limited(Mesh_quality(mesh_.complex, points)));
+    const Mesh_quality quality(mesh_.complex, points);
+    return report_.status.before.number_of_invalid == 0 && quality.invalid == 0 &&
+           (!model_.reference_is_given || is_limited(quality));
   }
 
   // Whether the minimum is to be raised while the boundary is loose. What was brought to its best within its boundary leaves
   // that only where it is poor.
-  bool needs_maximin(const Positions& points)
+  bool needs_maximin(const Reached& best)
   {
-    const Mesh_quality quality(mesh_.complex, points);
+    const Mesh_quality quality(mesh_.complex, best.points);
     if (quality.inverted > 0)
       return false;
-    if (!standing_of(points).is_good())
+    if (!standing_of(best.points).is_good())
       return true;
     if (quality.minimum >= parameters_.target_quality)
       return false;
-    if (has_maximized_)
+    if (best.is_maximized)
       return quality.minimum < worth_raising_to();
     return report_.status.before.number_of_invalid > 0 || !is_limited(quality);
   }
@@ -255,12 +257,8 @@ private:
   // Whether the connectivity seems to limit the minimum: it is poor, and so are many hexahedra, but not most.
   bool is_limited(const Mesh_quality& quality) const
   {
-    std::vector<double> sorted = quality.scaled_jacobians;
-    const auto rank = sorted.begin() +
-                      static_cast<std::ptrdiff_t>(parameters_.maximization.floor.fraction * double(sorted.size()));
-    std::nth_element(sorted.begin(), rank, sorted.end());
-    return quality.minimum < worth_raising_to() && *rank < quality.minimum + parameters_.least_lag &&
-           quality.average >= worth_raising_to();
+    return quality.minimum < worth_raising_to() && quality.average >= worth_raising_to() &&
+           quality.quantile(parameters_.maximization.floor.fraction) < quality.minimum + parameters_.least_lag;
   }
 
   // Whether what comes before quality is not met.
@@ -274,8 +272,9 @@ private:
   // Whether a mesh is where it has to be, at hardly any cost of the minimum.
   bool is_as_good(const Positions& points, const Positions& than)
   {
-    return standing_of(points).is_good() && Mesh_quality(mesh_.complex, points).minimum >=
-                                              Mesh_quality(mesh_.complex, than).minimum - parameters_.projection_loss;
+    return standing_of(points).is_good() &&
+           Mesh_quality(mesh_.complex, points).minimum >=
+             Mesh_quality(mesh_.complex, than).minimum - parameters_.maximization.accepted_loss;
   }
 
   bool may_raise_within_bound(const Positions& points)
@@ -358,21 +357,22 @@ private:
     return reached;
   }
 
-  // By feasible steps only. What is still off a given reference is pulled the more to it.
+  // By feasible steps only. A given reference weighs as much as one of its own at first; if the boundary is off it then, as
+  // much as it is trusted.
   Reached improved_within(const Reached& best)
   {
     const Timer timer(control_, report_.status.maximization_seconds);
     Reached reached = best;
-    const Interior_point_parameters& p = parameters_.interior_point;
-    for (double tightness = model_.reference_is_given ? p.tightness_of_given : 1; !control_.check_time();
-         tightness *= p.tightening) {
+    const auto improve = [&](double tightness) {
       Sliding held = sliding(reached.points);
       Maximization_problem problem = maximization_problem(held);
       problem.boundary.tightness = tightness;
-      reached.end = Interior_point_maximization(problem, p).run(reached.points, control_, parameters_.target_quality);
-      if (!(excess(reached.points) > 0) || tightness >= p.largest_tightness)
-        break;
-    }
+      reached.end = Interior_point_maximization(problem, parameters_.interior_point)
+                      .run(reached.points, control_, parameters_.target_quality);
+    };
+    improve(model_.reference_is_given ? 1 / parameters_.boundary.trust : 1);
+    if (model_.reference_is_given && excess(reached.points) > 0 && !control_.check_time())
+      improve(1);
     return reached;
   }
 
@@ -380,8 +380,10 @@ private:
   Reached maximized(const Reached& best)
   {
     Reached reached = best;
-    if (!control_.check_time())
+    if (number_of_inverted(best.points) == 0 && !control_.check_time()) {
       reached.end = maximize(reached.points);
+      reached.is_maximized = true;
+    }
     return reached;
   }
 
@@ -559,7 +561,6 @@ private:
 
   Stage_end maximize(Positions& points)
   {
-    has_maximized_ = true;
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
     Maximization_problem problem = maximization_problem(held);
@@ -626,7 +627,6 @@ private:
   double bound_; // of the deviation, in mean boundary edges
   const Boundary_attachment* attachment_ = &model_.attachment;
   bool stays_within_ = false; // the bound, which may be loosened for a time otherwise
-  bool has_maximized_ = false;
   std::optional<Boundary_samples> samples_, judging_samples_;
 
   struct Incumbent

@@ -39,8 +39,6 @@ struct Optimization_parameters : Chosen_parameters
   // Rectification leaves it to untangling when no more than this part of the hexahedra is inverted, unless that fails:
   // in a large mesh it takes many iterations for the last ones.
   double left_to_untangling = 1e-4;
-  // What a projection onto the reference may cost of the minimum.
-  double projection_loss = .02;
   // A tangled interior is brought to its best within a boundary that allows this minimum, before any of that moves.
   double worth_holding_boundary = .3;
   // The minimum of a mesh that is within its tolerance is raised where it is this far behind most of the hexahedra; else it
@@ -57,7 +55,7 @@ struct Optimization_parameters : Chosen_parameters
   double spared_deviation = .75;
   double spared_average = .01;
   double growth_of_cost = 1.5;
-  std::size_t most_spared = 3;
+  std::size_t most_spared = 2;
   double measuring_spacing = .3; // of the samples that measure the deviation, in mean boundary edges
 };
 

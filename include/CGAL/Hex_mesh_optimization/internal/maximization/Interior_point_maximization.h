@@ -49,10 +49,11 @@ public:
     problem_.samples.update(points, 1);
     problem_.adapt_lengths(points);
     set_energy(quality.average);
-    Progress progress(quality, parameters_.change, parameters_.change);
+    const Maximization_parameters& p = problem_.parameters; // it ends as the second phase of the other method does
+    Progress progress(quality, p.least_gain_of_minimum, p.least_change_of_average);
     std::size_t i = 0;
-    for (; i < parameters_.most_iterations && !control.is_stopped() &&
-           progress.iterations_without_change_of_average() < parameters_.patience;
+    for (; i < p.longest_settling_iterations && !control.is_stopped() &&
+           progress.iterations_without_change_of_average() < p.patience;
          ++i) {
       problem_.floor.stand_at(quality.minimum - parameters_.gap + parameters_.width);
       problem_.samples.update(points, 1);
@@ -63,7 +64,7 @@ public:
       if (quality.minimum >= target_quality)
         break;
     }
-    return control.stage_end(i == parameters_.most_iterations);
+    return control.stage_end(i == p.longest_settling_iterations);
   }
 
 private:

@@ -69,7 +69,8 @@ public:
   void rise(const Mesh_quality& quality)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    floor_ = (std::max)(floor_, (std::min)({parameters_.limit, quantile(quality), quality.minimum + parameters_.step}));
+    floor_ = (std::max)(floor_, (std::min)({parameters_.limit, quality.quantile(parameters_.fraction),
+                                            quality.minimum + parameters_.step}));
     hexahedra_.for_each(
       [this](std::size_t i) { std::fill_n(floors_.batch(i), 8, Lanes{} + static_cast<float>(floor_)); });
   }
@@ -129,21 +130,14 @@ public:
   // A higher minimum than this is not worth the deviation that it takes.
   double worth_holding(const Mesh_quality& quality) const
   {
-    const double q = quantile(quality), gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
+    const double q = quality.quantile(parameters_.fraction),
+                 gap = (std::min)(parameters_.hold_gap, parameters_.relative_hold_gap * (1 - q));
     return (std::max)(parameters_.hold_limit, q - gap);
   }
   // Of each corner of the hexahedra.
   const Batched_values<8>& floors() const { return floors_; }
 
 private:
-  double quantile(const Mesh_quality& quality) const
-  {
-    std::vector<double> sorted = quality.scaled_jacobians;
-    const std::size_t rank = static_cast<std::size_t>(parameters_.fraction * double(sorted.size()));
-    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
-    return sorted[rank];
-  }
-
   const Floor_parameters parameters_;
   const Hexahedron_batches& hexahedra_;
   double floor_ = 0, highest_ = 0, held_ = 0, worth_ = 0, yield_ = 1;

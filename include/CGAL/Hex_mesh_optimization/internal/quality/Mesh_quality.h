@@ -56,6 +56,15 @@ struct Mesh_quality
     average = counts.sum / double(scaled_jacobians.size());
   }
 
+  // The least that all but this part of the hexahedra have.
+  double quantile(double part) const
+  {
+    std::vector<double> sorted = scaled_jacobians;
+    const std::size_t rank = static_cast<std::size_t>(part * double(sorted.size()));
+    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+    return sorted[rank];
+  }
+
   // The worst hexahedron around a vertex.
   double worst_around(const Hexahedral_complex& complex, int v) const
   {
