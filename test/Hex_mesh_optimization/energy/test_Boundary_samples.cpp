@@ -267,7 +267,7 @@ TEST(Boundary_samples, of_an_interface_are_free_beyond_its_rim_but_across)
         }
       EXPECT_NEAR(largest, height, 1e-9);
       EXPECT_NEAR(least, height, 1e-9) << "at the rim too";
-      EXPECT_GT(of_mesh, 4 * 16); // at vertices, edges and centers of 16 faces
+      EXPECT_GT(of_mesh, 16 * 9);
     }
 }
 

@@ -109,6 +109,11 @@ struct Boundary_sample_parameters
   // A step may not take a sample farther than this part of the bound, or so much farther than it is.
   double most_of_bound = 1;
   double most_growth = 1.2;
+  // Further samples of interfaces, on a lattice of so many parts along an edge, weigh so much: two materials share what there
+  // is between them, and without these samples an interface is up to .13 edges off between the others (measured on the ball
+  // of two materials of the tests).
+  int parts = 4;
+  double further_weight = .1;
   // What a sample at a place that was found beyond the bound weighs, and the area that it stands for on the reference.
   double weight_beyond = .1;
   double area_beyond = .05;
@@ -440,6 +445,7 @@ private:
     }
     for (std::size_t f = 0; f < faces_.quads.size(); ++f)
       add(on_face(f, .5, .5, 1.0));
+    add_further_samples();
     int last_edge = -1;
     for (const Surface_faces::Edge& e : faces_.edges) {
       const std::array<int, 2>& ends = complex.edges[e.edge];
@@ -449,8 +455,23 @@ private:
       last_edge = e.edge;
       const Vertex_kind kind = curve >= 0 ? Vertex_kind::FEATURE : Vertex_kind::SURFACE;
       add({{ends[0], ends[1]}, {.5, .5}, 2, e.face, parameters_.edge_weight, kind, curve});
+      for (int k = 1; faces_.is_interface(e.face) && k < parameters_.parts; ++k)
+        if (2 * k != parameters_.parts) {
+          const double u = double(k) / parameters_.parts;
+          add({{ends[0], ends[1]}, {1 - u, u}, 2, e.face, parameters_.further_weight, kind, curve});
+        }
     }
     return samples_.size();
+  }
+
+  void add_further_samples()
+  {
+    const int n = parameters_.parts;
+    for (std::size_t f = 0; f < faces_.quads.size(); ++f)
+      for (int i = 1; i < n && faces_.is_interface(static_cast<int>(f)); ++i)
+        for (int j = 1; j < n; ++j)
+          if (2 * i != n || 2 * j != n)
+            add(on_face(f, double(i) / n, double(j) / n, parameters_.further_weight));
   }
 
   // On the triangle of a face that it is in: the reference is split in the same way where it is the boundary that came
