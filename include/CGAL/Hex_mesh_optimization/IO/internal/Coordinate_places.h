@@ -15,17 +15,13 @@
 // Where the coordinates of the points stand in a file, so that other numbers can be written there: the interface for all
 // formats.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Replaced_file.h>
 
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal::IO {
@@ -51,63 +47,25 @@ public:
                      const std::vector<Triple>& after) const = 0;
 };
 
-// A name beside the target, which is renamed to it at the end, or removed.
+// A copy of the input that takes the place of the output at the end, or is removed.
 class Temporary_copy
 {
 public:
-  Temporary_copy(const std::string& input, const std::string& output) : output_(output), target_(output)
+  Temporary_copy(const std::string& input, const std::string& output) : file_(output)
   {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    for (int links = 0; links < 32 && fs::is_symlink(target_, ignored); ++links) {
-      const fs::path next = fs::read_symlink(target_, ignored);
-      target_ = next.is_absolute() ? next : target_.parent_path() / next;
-    }
-    if (fs::is_directory(target_, ignored))
-      fail("it is a directory");
-    if (fs::exists(target_, ignored) && !std::ofstream(target_, std::ios::app))
-      fail("it cannot be opened");
-    static std::atomic<unsigned int> count(0);
-    temporary_ = target_;
-    temporary_ += "." + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()) + "_" +
-                  std::to_string(count++) + ".tmp";
-    std::error_code error;
-    fs::copy_file(input, temporary_, error);
+    std::error_code error, ignored;
+    std::filesystem::copy_file(input, file_.written(), error);
     if (error)
-      fail(error.message());
-    fs::permissions(temporary_, fs::perms::owner_write, fs::perm_options::add, ignored);
-  }
-  Temporary_copy(const Temporary_copy&) = delete;
-  Temporary_copy& operator=(const Temporary_copy&) = delete;
-  ~Temporary_copy()
-  {
-    std::error_code ignored;
-    if (!temporary_.empty())
-      std::filesystem::remove(temporary_, ignored);
+      file_.fail("cannot write the file: " + error.message());
+    std::filesystem::permissions(file_.written(), std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::add, ignored);
   }
 
-  std::string name() const { return temporary_.string(); }
-
-  void commit()
-  {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(target_, error);
-    if (!error && std::filesystem::exists(status))
-      std::filesystem::permissions(temporary_, status.permissions(), error);
-    std::filesystem::rename(temporary_, target_, error);
-    if (error)
-      fail(error.message());
-    temporary_.clear();
-  }
+  std::string name() const { return file_.written().string(); }
+  void commit() { file_.commit(); }
 
 private:
-  [[noreturn]] void fail(const std::string& reason) const
-  {
-    throw CGAL::IO::Hex_mesh_file_error(output_, 0, "cannot write the file: " + reason);
-  }
-
-  std::string output_;
-  std::filesystem::path target_, temporary_;
+  Replaced_file file_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal::IO

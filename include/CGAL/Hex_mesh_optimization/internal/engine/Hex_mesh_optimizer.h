@@ -258,7 +258,8 @@ private:
   bool is_limited(const Mesh_quality& quality) const
   {
     return quality.minimum < worth_raising_to() && quality.average >= worth_raising_to() &&
-           quality.quantile(parameters_.maximization.floor.fraction) < quality.minimum + parameters_.least_lag;
+           quality.quantile(parameters_.maximization.floor.fraction) <
+             quality.minimum + parameters_.maximization.accepted_loss;
   }
 
   // Whether what comes before quality is not met.
@@ -564,7 +565,7 @@ private:
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
     Maximization_problem problem = maximization_problem(held);
-    return Quality_maximization(problem).run(points, control_, parameters_.target_quality, Protection::NONE);
+    return Quality_maximization(problem).run(points, control_, parameters_.target_quality);
   }
 
   Maximization_problem maximization_problem(Sliding& held)

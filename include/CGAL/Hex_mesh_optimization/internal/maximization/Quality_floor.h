@@ -77,12 +77,11 @@ public:
 
   // A floor at what has to be kept, from where the rising one stood: its forces fade, where they are not needed, rather
   // than vanish. Corners that stay below have their own floors lifted until they do not: the multipliers
-  // of an augmented Lagrangian, over the weight of the floor. No less is kept than `least`.
-  void hold(const Mesh_quality& quality, const Positions& points, double least = 0)
+  // of an augmented Lagrangian, over the weight of the floor.
+  void hold(const Mesh_quality& quality, const Positions& points)
   {
     highest_ = (std::max)(highest_, quality.minimum);
-    held_ = (std::max)(least,
-                       parameters_.hold * yield_ * (std::min)(highest_, (std::max)(worth_, worth_holding(quality))));
+    held_ = parameters_.hold * yield_ * (std::min)(highest_, (std::max)(worth_, worth_holding(quality)));
     const float carried = static_cast<float>((std::max)(0.0, floor_ - held_ - parameters_.margin));
     const bool is_first = floor_ > 0;
     floor_ = 0;

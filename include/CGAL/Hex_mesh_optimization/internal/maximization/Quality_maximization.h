@@ -55,10 +55,10 @@ public:
     , arrivals_(problem.complex, problem.targets.lengths, problem.sliding, parameters_.arrivals)
   {}
 
-  // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met.
-  // Does nothing if a hexahedron is inverted. To be called once.
-  Stage_end run(Positions& points, Run_control& control, double target_quality,
-                Protection protection = Protection::OF_WHAT_IS_GOOD)
+  // Improves points until nothing is gained any more or control ends the run; leaves in them the best state met, whose
+  // minimum may be lower than what they came with: see Interior_point_maximization for what may not lose any. Does
+  // nothing if a hexahedron is inverted. To be called once.
+  Stage_end run(Positions& points, Run_control& control, double target_quality)
   {
     Mesh_quality quality(problem_.complex, points);
     if (quality.inverted > 0)
@@ -69,22 +69,19 @@ public:
     target_quality_ = target_quality;
     if (is_target_reached(quality))
       return Stage_end::CONVERGED;
-    Best_state best(points, quality, 1, parameters_.accepted_loss, excess_, 1, sliding_.away(points), protection);
-    // what stands exactly on curves and faces may leave them for a time, unless it would be worse off for good
-    if (!best.is_protected())
-      sliding_.let_go();
+    Best_state best(points, quality, 1, parameters_.accepted_loss, excess_, 1, sliding_.away(points), Protection::NONE);
+    sliding_.let_go(); // what stands exactly on curves and faces may leave them for a time
     // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     is_to_arrive_ = sliding_.holds_more_than_corners();
     time_is_over_ = [&control] { return control.time_is_over(); };
     start_maximin(0, quality);
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
-      start_iteration(i, quality, best, points);
+      start_iteration(i, quality, points);
       const double energy = iterate(quality, points);
       excess_ = samples_.excess(points);
       if (is_tight())
         update_multipliers(best, points);
-      // what was good is left as it was rather than loosely attached, and what is on its way is no result
-      if (arrivals_.have_begun() ? is_tight() : boundary_.tightness == 1 || !best.is_protected())
+      if (!arrivals_.have_begun() || is_tight()) // what is on its way is no result
         best.offer(points, quality, excess_, looseness(), sliding_.away(points));
       add_to_progress(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, points, quality);
@@ -131,7 +128,7 @@ private:
   }
 
   // Decides about the phase, and what the corners are held to in it.
-  void start_iteration(std::size_t i, const Mesh_quality& quality, const Best_state& best, Positions& points)
+  void start_iteration(std::size_t i, const Mesh_quality& quality, Positions& points)
   {
     if (phase_ == Phase::PROJECTION) {
       if (!arrivals_.go_on(points, time_is_over_))
@@ -151,7 +148,7 @@ private:
     // of the diagonal of their surface: minimum and average are .817 and .958 instead of .680 and .929)
     if (samples_.is_closely_bounded())
       floor_.remember_worth(quality);
-    floor_.hold(quality, points, (std::max)(best.least_minimum(), 0.0));
+    floor_.hold(quality, points);
     // it waits for corners that fell behind, but not for ever
     if (quality.minimum >= parameters_.ready * floor_.held() || ++waited_ > parameters_.waiting_patience) {
       boundary_.tightness = (std::min)(1.0, boundary_.tightness * parameters_.tightening);
