@@ -67,9 +67,8 @@ TEST_P(Sliding_of_families, has_the_freedoms_of_what_vertices_are_attached_to)
   Attached_mesh s(GetParam()());
   for (std::size_t v = 0; v < s.points.size(); v += 5)
     s.fix(v);
-  const Positions forces(s.points.size(), Vector_3::Zero());
-  const Freedoms within = s.sliding().freedoms(s.points, forces),
-                 on = s.sliding(Boundary_placement::ON_SURFACE).freedoms(s.points, forces);
+  const Freedoms within = s.sliding().freedoms(s.points),
+                 on = s.sliding(Boundary_placement::ON_SURFACE).freedoms(s.points);
   for (std::size_t v = 0; v < s.points.size(); ++v) {
     const int dimension = dimension_on_surface(s.attachment.kind[v]);
     EXPECT_EQ(on[v].dimension(), dimension) << v;
@@ -118,7 +117,7 @@ TEST_P(Sliding_of_families, within_the_tolerance_keeps_corners_only)
 
 Freedoms freedoms_without_force(const Sliding& sliding, const Positions& points)
 {
-  return sliding.freedoms(points, Positions(points.size(), Vector_3::Zero()));
+  return sliding.freedoms(points);
 }
 
 // Lets all go their ways but one.
@@ -266,26 +265,6 @@ TEST_P(Sliding_of_families, lets_all_but_corners_go_until_they_are_called)
   Positions points = s.points;
   approach_all_but(none, sliding, points);
   EXPECT_TRUE(sliding.vertices_away().empty());
-}
-
-// A step leads off its curve at a kink unless it is taken from it
-TEST_P(Sliding_of_families, keeps_steps_within_what_vertices_stand_on)
-{
-  const Attached_mesh s(GetParam()());
-  const Sliding sliding = s.sliding(Boundary_placement::ON_SURFACE);
-  std::mt19937 random(8);
-  for (int round = 0; round < 5; ++round) {
-    Positions forces;
-    for (std::size_t v = 0; v < s.points.size(); ++v)
-      forces.push_back(random_vector(random, 1));
-    const Freedoms freedoms = sliding.freedoms(s.points, forces);
-    Positions step;
-    for (std::size_t v = 0; v < s.points.size(); ++v)
-      step.push_back(1e-3 * (freedoms[v].inverse(Matrix_3::Identity()) * random_vector(random, 1)));
-    sliding.keep_within(s.points, step);
-    for (std::size_t v = 0; v < s.points.size(); ++v)
-      EXPECT_LT(distance(s, v, s.points[v] + step[v]), 1e-9) << v;
-  }
 }
 
 // A block whose only sharp edges are those around its top: four corners that are turns

@@ -74,7 +74,7 @@ Positions some_targets()
   return result;
 }
 
-const auto everywhere = [](const Positions& forces) { return Freedoms(forces.size(), Freedom::everywhere()); };
+const Freedoms everywhere(n, Freedom::everywhere());
 const auto unrestricted = [](Positions&) {};
 const auto not_retracted = unrestricted;
 
@@ -121,7 +121,7 @@ TEST(Newton_step, leaves_fixed_points_and_restricted_ones)
   std::vector<char> is_fixed(n, false);
   is_fixed[2] = true;
   newton_step(
-    energy, [&](const Positions&) { return all_but(is_fixed); }, [](Positions& step) { step[4] = Vector_3::Zero(); },
+    energy, all_but(is_fixed), [](Positions& step) { step[4] = Vector_3::Zero(); },
     not_retracted, Newton_parameters(), matrix, points);
   for (int v = 0; v < n; ++v)
     EXPECT_EQ(points[v] == start[v], v == 2 || v == 4) << v;
@@ -142,7 +142,7 @@ TEST(Newton_step, keeps_to_the_freedom_of_each_point)
   freedoms[3] = Freedom::along_plane(normal);
   freedoms[4] = Freedom::nowhere();
   newton_step(
-    energy, [&](const Positions&) { return freedoms; }, unrestricted, not_retracted, parameters, matrix, points);
+    energy, freedoms, unrestricted, not_retracted, parameters, matrix, points);
   EXPECT_LT((points[1] - start[1]).cross(direction).norm(), 1e-5);
   EXPECT_LT(std::abs((points[3] - start[3]).dot(normal)), 1e-5);
   EXPECT_EQ(points[4], start[4]);
@@ -179,7 +179,7 @@ TEST(Newton_step, stops_a_point_at_a_kink_and_no_other)
   freedoms[2] = Freedom::along_line(Vector_3::UnitX());
   const auto to_roof = [](Positions& p) { p[2].z() = -10 * std::abs(p[2].x()); };
   const double reached = newton_step(
-    energy, [&](const Positions&) { return freedoms; },
+    energy, freedoms,
     [](Positions& step) {
       if (step[2].isZero(0)) // without it, the step of another one is too long
         step[5] /= 2;
@@ -192,28 +192,9 @@ TEST(Newton_step, stops_a_point_at_a_kink_and_no_other)
 
   Positions whole = start;
   const double reached_by_whole = newton_step(
-    energy, [&](const Positions&) { return freedoms; }, unrestricted, to_roof, Newton_parameters(), matrix, whole);
+    energy, freedoms, unrestricted, to_roof, Newton_parameters(), matrix, whole);
   EXPECT_LT(reached_by_whole, .5 * energy.value(start));
   EXPECT_NEAR(points[5].norm(), whole[5].norm() / 2, 1e-6 * whole[5].norm());
-}
-
-// A point is given its freedom by the force on it.
-TEST(Newton_step, asks_for_freedoms_under_the_negative_gradient)
-{
-  const Springs energy{some_targets()};
-  Block_matrix matrix = chain_matrix();
-  Positions points(n, Vector_3(-1, 2, 0)), gradient(n, Vector_3::Zero()), asked;
-  energy.add_derivatives(points, gradient, matrix);
-  newton_step(
-    energy,
-    [&](const Positions& forces) {
-      asked = forces;
-      return everywhere(forces);
-    },
-    unrestricted, not_retracted, Newton_parameters(), matrix, points);
-  ASSERT_EQ(asked.size(), gradient.size());
-  for (int v = 0; v < n; ++v)
-    EXPECT_EQ(asked[v], -gradient[v]) << v;
 }
 
 TEST(Newton_step, is_shortened_where_the_energy_is_not_defined)

@@ -18,16 +18,13 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/boundary/Facet_freedoms.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -73,8 +70,6 @@ public:
       }
     }
     tie();
-    if (on_surface)
-      facets_ = std::make_unique<const Facet_freedoms>(surface);
     for (std::size_t v = 0; v < points.size(); ++v)
       if (kind_[v] != Kind::FREE && kind_[v] != Kind::FIXED)
         held_.push_back(static_cast<int>(v));
@@ -173,8 +168,10 @@ public:
     return kind_[u] == Kind::FIXED || (kind_[u] == Kind::CORNER && is_bound(u));
   }
 
-  // forces: on the points, which decide at kinks of what they slide on.
-  Freedoms freedoms(const Positions& points, const Positions& forces) const
+  // Along the smooth tangents of what vertices slide on: at the kinks between its triangles and segments a vertex that
+  // followed those would be stopped (measured on octree meshes, all vertices on the surface: the average rises to .832
+  // instead of .828).
+  Freedoms freedoms(const Positions& points) const
   {
     Freedoms result(points.size(), Freedom::everywhere());
     for_each(
@@ -188,13 +185,11 @@ public:
             result[v] = Freedom::nowhere();
             break;
           case Kind::CURVE:
-            result[v] = is_there_[v] ? freedom_on_curve(v, points[v], forces[v])
-                                     : Freedom::along_line(curve(v).closest_point(points[v]).tangent);
+            result[v] = Freedom::along_line(curve(v).closest_point(points[v]).tangent);
             break;
           case Kind::SURFACE:
-            result[v] = is_there_[v] ? facets_->freedom(foot(v, points[v]), forces[v])
-                                     : Freedom::along_plane(
-                                         surface_.foot_point(points[v], hints_[v], attachment_.sheet[v]).normal);
+            result[v] = Freedom::along_plane(
+              surface_.foot_point(points[v], hints_[v], attachment_.sheet[v]).normal);
             break;
           default:
             break;
@@ -205,26 +200,6 @@ public:
       for (int v : group)
         result[v] = result[group.front()];
     return result;
-  }
-
-  // Takes from steps with these freedoms what leads off curves and faces at their kinks.
-  void keep_within(const Positions& points, Positions& step) const
-  {
-    for_each(
-      held_.size(),
-      [&](std::size_t i) {
-        const std::size_t v = held_[i];
-        if (!is_there_[v] || !is_bound(v))
-          return;
-        if (kind_[v] == Kind::SURFACE)
-          step[v] = facets_->within(foot(v, points[v]), step[v]);
-        else if (kind_[v] == Kind::CURVE)
-          step[v] = within_curve(v, points[v], step[v]);
-      },
-      searches_of_range);
-    for (const std::vector<int>& group : tied_)
-      for (int v : group)
-        step[v] = step[group.front()];
   }
 
   // Moves those that stood on their places before a step back onto them after it.
@@ -339,21 +314,6 @@ private:
     }
   }
 
-  Freedom freedom_on_curve(std::size_t v, const Vector_3& p, const Vector_3& force) const
-  {
-    const std::array<Vector_3, 2> directions = curve(v).directions(p);
-    const int k = directions[0].dot(force) > directions[1].dot(force) ? 0 : 1;
-    return directions[k].dot(force) < 0 ? Freedom::nowhere() : Freedom::along_line(directions[k]);
-  }
-
-  Vector_3 within_curve(std::size_t v, const Vector_3& p, const Vector_3& step) const
-  {
-    for (const Vector_3& direction : curve(v).directions(p))
-      if (direction.dot(step) >= .999999 * step.norm()) // the system is solved in single precision
-        return step;
-    return Vector_3::Zero();
-  }
-
   const Feature_curve& curve(std::size_t v) const { return *surface_.curves[attachment_.curve[v]]; }
 
   Vector_3 place(std::size_t v, const Vector_3& p) const
@@ -379,7 +339,6 @@ private:
 
   const Reference_surface& surface_;
   const Boundary_attachment& attachment_;
-  std::unique_ptr<const Facet_freedoms> facets_; // where vertices are to be on the surface
   std::vector<Kind> kind_;
   std::vector<int> held_;         // vertices that are to stand on their places
   std::vector<Release> released_; // those that were to

@@ -142,6 +142,9 @@ private:
        [this](const Reached& best) { return improved_within(best); },
        [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
       maximin,
+      {"interior point on the surface", [this](const Reached& best) { return may_be_polished(best); },
+       [this](const Reached& best) { return improved_within(best); },
+       [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
       {"rectified start", [this](const Reached& best) { return is_missed(best.points); },
        [this](const Reached&) { return maximized(rectified_and_untangled()); }, if_better},
       {"start within the bound", [this](const Reached& best) { return is_beyond_bound(best.points); },
@@ -237,6 +240,9 @@ private:
     return report_.status.before.number_of_invalid == 0 && quality.invalid == 0 &&
            (!model_.reference_is_given || is_limited(quality));
   }
+
+  // Whether all vertices have come to their places on the surface, which has cost their hexahedra quality.
+  bool may_be_polished(const Reached& best) { return is_exact() && best.is_maximized && is_feasible(best.points); }
 
   // Whether the minimum is to be raised while the boundary is loose. What was brought to its best within its boundary leaves
   // that only where it is poor.
@@ -487,7 +493,7 @@ private:
       return incumbent_.standing.is_good() && (quality.invalid > 0 || quality.minimum <= incumbent_.shown.minimum);
     };
     if (incumbent_.points.empty() || !is_behind()) {
-      const Standing standing{quality.inverted, quality.invalid, judged_excess(points), sliding(points).away(points)};
+      const Standing standing{quality.inverted, quality.invalid, judged_excess(points), judged_away(points)};
       if (incumbent_.points.empty() || standing < incumbent_.standing ||
           (!(incumbent_.standing < standing) && quality.minimum > incumbent_.shown.minimum))
         incumbent_ = {points, standing, {quality.inverted, quality.minimum, quality.average}};
@@ -504,6 +510,16 @@ private:
       judging_samples_.emplace(new_samples(model_.attachment, false));
     judging_samples_->update(points, 1);
     return judging_samples_->excess(points);
+  }
+
+  // With searches that go on from where the last have ended.
+  Away judged_away(const Positions& points)
+  {
+    if (!judging_sliding_)
+      judging_sliding_.emplace(*model_.surface, model_.attachment, parameters_.boundary_placement, points,
+                               mesh_.complex.ties);
+    judging_sliding_->notice(points);
+    return judging_sliding_->away(points);
   }
 
   // Everywhere: samples keep to a little less than the bound, and see nothing between them.
@@ -629,6 +645,7 @@ private:
   const Boundary_attachment* attachment_ = &model_.attachment;
   bool stays_within_ = false; // the bound, which may be loosened for a time otherwise
   std::optional<Boundary_samples> samples_, judging_samples_;
+  std::optional<Sliding> judging_sliding_;
 
   struct Incumbent
   {

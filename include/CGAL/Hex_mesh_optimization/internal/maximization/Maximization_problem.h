@@ -103,7 +103,6 @@ public:
   {
     const auto retract = [this](Positions& p) { sliding.retract(p); };
     const auto restrict_step = [&](Positions& direction) {
-      sliding.keep_within(points, direction);
       hold_corners(
         complex, batches, points, least, parameters.holding_rounds, last_resort, retract,
         [&](const Positions& reached, std::vector<char>& is_ruined) {
@@ -112,10 +111,9 @@ public:
         },
         direction);
     };
-    const auto freedoms = [&](const Positions& forces) { return sliding.freedoms(points, forces); };
     Newton_parameters newton = parameters.newton;
     newton.relaxation = relaxation;
-    return newton_step(Sum_of_energies(hexahedra_, boundary), freedoms, restrict_step, retract, newton, matrix_,
+    return newton_step(Sum_of_energies(hexahedra_, boundary), sliding.freedoms(points), restrict_step, retract, newton, matrix_,
                        points);
   }
 

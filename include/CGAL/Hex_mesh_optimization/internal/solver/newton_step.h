@@ -52,18 +52,17 @@ inline bool stop_at_kinks(const Positions& points, const Positions& reached, dou
 //   double add_derivatives(const Positions& points, Positions& gradient, Block_matrix& matrix) const,
 //     which adds its gradient and a positive semi-definite model of its Hessian, where it is finite, and returns its value.
 //
-// Moves the points, each within its freedom; freedoms_under(forces), the negative gradient, gives those of all points.
-// restrict_step(direction) may shorten the steps of single points; retract(points) takes those that slide on something
+// Moves the points, each within its freedom. restrict_step(direction) may shorten the steps of single points; retract(points) takes those that slide on something
 // curved back onto it. Returns the energy reached.
-template <class Energy, class Freedoms_under, class Restrict, class Retract>
-double newton_step(const Energy& energy, const Freedoms_under& freedoms_under, const Restrict& restrict_step,
+template <class Energy, class Restrict, class Retract>
+double newton_step(const Energy& energy, const Freedoms& freedoms, const Restrict& restrict_step,
                    const Retract& retract, const Newton_parameters& parameters, Block_matrix& matrix, Positions& points)
 {
   Positions gradient(points.size(), Vector_3::Zero()), direction;
   matrix.set_zero();
   const double start = energy.add_derivatives(points, gradient, matrix);
   for_each(points.size(), [&](std::size_t v) { gradient[v] = -gradient[v]; });
-  matrix.solve(gradient, freedoms_under(gradient), parameters.tolerance, parameters.iterations, direction);
+  matrix.solve(gradient, freedoms, parameters.tolerance, parameters.iterations, direction);
   for_each(points.size(), [&](std::size_t v) { direction[v] *= parameters.relaxation; });
   restrict_step(direction);
   const auto slope_of_direction = [&] {

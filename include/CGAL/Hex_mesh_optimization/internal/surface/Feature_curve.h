@@ -78,35 +78,10 @@ public:
     return {p, tangent.norm() > 1e-6 ? Vector_3(tangent.normalized()) : Vector_3((b - a).normalized())};
   }
 
-  // In which the curve goes on from its point closest to the query, back and forth; zero where it ends. Other than the
-  // tangent, at a kink of the curve they are not opposite.
-  std::array<Vector_3, 2> directions(const Vector_3& query) const
-  {
-    if (segments_.empty())
-      return {Vector_3::Zero(), Vector_3::Zero()};
-    const auto found = tree_.closest_point_and_primitive(aabb::point(query));
-    const std::size_t n = segments_.size(), i = found.second - segments_.begin();
-    const Vector_3 p = aabb::vector(found.first), a = aabb::vector(found.second->source()),
-                   b = aabb::vector(found.second->target());
-    const double rounding = 1e-9 * (b - a).norm();
-    const bool is_at_first = (p - a).norm() <= rounding, is_at_last = (p - b).norm() <= rounding;
-    std::array<Vector_3, 2> result = {-direction(i), direction(i)};
-    if (is_at_first)
-      result[0] = i > 0 || is_closed() ? Vector_3(-direction((i + n - 1) % n)) : Vector_3(Vector_3::Zero());
-    else if (is_at_last)
-      result[1] = i + 1 < n || is_closed() ? direction((i + 1) % n) : Vector_3(Vector_3::Zero());
-    return result;
-  }
-
   std::vector<int> vertices; // of the reference, in order; first equals last on a closed curve
   double length = 0;
 
 private:
-  Vector_3 direction(std::size_t segment) const
-  {
-    return (aabb::vector(segments_[segment].target()) - aabb::vector(segments_[segment].source())).normalized();
-  }
-
   Vector_3 place_;                                // of its first vertex
   std::vector<aabb::Kernel::Segment_3> segments_; // without those of no length
   std::vector<std::array<Vector_3, 2>> tangents_; // at both ends of each

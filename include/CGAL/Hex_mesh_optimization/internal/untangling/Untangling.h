@@ -103,8 +103,7 @@ public:
       hexahedra_.set_regularization(parameters_.least_regularization + parameters_.regularization * (lowest * lowest));
       samples_.update(points, boundary_.tightness);
       const double energy = newton_step(
-        Sum_of_energies(hexahedra_, boundary_), [&](const Positions& forces) { return freedoms(points, forces); },
-        [&](Positions& step) { sliding_.keep_within(points, step); }, [this](Positions& p) { sliding_.retract(p); },
+        Sum_of_energies(hexahedra_, boundary_), freedoms(points), [](Positions&) {}, [this](Positions& p) { sliding_.retract(p); },
         parameters_.newton, matrix_, points);
       quality = Mesh_quality(complex_, points);
       ++since;
@@ -122,9 +121,9 @@ public:
   }
 
 private:
-  Freedoms freedoms(const Positions& points, const Positions& forces) const
+  Freedoms freedoms(const Positions& points) const
   {
-    Freedoms result = sliding_.freedoms(points, forces);
+    Freedoms result = sliding_.freedoms(points);
     for (std::size_t v = 0; v < result.size(); ++v)
       if (is_passive_[v])
         result[v] = Freedom::nowhere();
