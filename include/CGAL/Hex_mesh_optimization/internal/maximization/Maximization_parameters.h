@@ -32,7 +32,7 @@ struct Interior_point_parameters
   double width = .05;
   double gap = 3e-4;
   // Factors of the weights of the shape, and of the shape for lengths that are certain.
-  double shape = .35;
+  double shape = .45;
   double certain_shape = .65;
 };
 
