@@ -119,8 +119,8 @@ private:
     const auto always = [](const Reached&) { return true; };
     const auto whatever = [](const Reached&, const Reached&) { return true; };
     const auto if_better = [this](const Reached& a, const Reached& b) { return is_better(a.points, b.points); };
-    const auto is_tangled = [this](const Reached& best) { return number_of_inverted(best.points) > 0; };
-    const Attempt last_untangling{"untangling", is_tangled,
+    const auto is_inverted = [this](const Reached& best) { return number_of_inverted(best.points) > 0; };
+    const Attempt last_untangling{"untangling", [this](const Reached& best) { return is_tangled(best.points); },
                                   [this](const Reached& best) { return untangled(best, First::LAST); }, whatever};
     const Attempt maximin{"maximin", [this](const Reached& best) { return needs_maximin(best); },
                           [this](const Reached& best) { return maximized(best); }, if_better};
@@ -137,7 +137,7 @@ private:
        [this](const Reached& best) { return untangled_within_boundary(best); }, if_better},
       {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
        [this](const Reached& best) { return untangled(best, First::FIRST); }, if_better},
-      {"rectification", is_tangled, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
+      {"rectification", is_inverted, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
       {"interior point", [this](const Reached& best) { return may_step_feasibly(best.points); },
        [this](const Reached& best) { return improved_within(best); },
        [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
@@ -186,10 +186,17 @@ private:
     return model_.reference_is_given && (excess(points) > 0 || sliding(points).away(points).in_all > 0);
   }
 
-  // Whether hexahedra are inverted, and the boundary is good enough to stay where it is.
+  // Whether hexahedra are inverted, or nearly so: maximization does not lead away from there.
+  bool is_tangled(const Positions& points) const
+  {
+    const Mesh_quality quality(mesh_.complex, points);
+    return quality.inverted > 0 || quality.minimum < parameters_.untangling.untangled;
+  }
+
+  // Whether hexahedra are tangled, and the boundary is good enough to stay where it is.
   bool may_hold_boundary(const Positions& points)
   {
-    return number_of_inverted(points) > 0 && !model_.reference_is_given &&
+    return is_tangled(points) && !model_.reference_is_given &&
            limit_of_held_boundary(points) >= parameters_.worth_holding_boundary &&
            std::any_of(model_.attachment.kind.begin(), model_.attachment.kind.end(),
                        [](Vertex_kind kind) { return kind != Vertex_kind::INTERIOR && kind != Vertex_kind::FIXED; });
@@ -220,13 +227,13 @@ private:
     return least;
   }
 
-  // Whether hexahedra are inverted, and most of the mesh tells where they should be. Interfaces cross the whole mesh
+  // Whether hexahedra are tangled, and most of the mesh tells where they should be. Interfaces cross the whole mesh
   // (measured on a ball in a block: they end .087 edges off from a rectified start, and .113 edges untangled where they are).
   bool tells_where_to_go(const Positions& points)
   {
     const std::size_t inverted = number_of_inverted(points);
     const bool has_interface = boundary_samples().is_bounded() && !boundary_samples().is_bounded_everywhere();
-    return inverted > 0 && !has_interface &&
+    return is_tangled(points) && !has_interface &&
            double(inverted) <= parameters_.untangled_as_given * double(mesh_.complex.hexahedra.size());
   }
 
@@ -359,7 +366,7 @@ private:
   Reached untangled(const Reached& best, Untangling::Attempt attempt)
   {
     Reached reached = best;
-    if (number_of_inverted(best.points) > 0 && !control_.check_time())
+    if (is_tangled(best.points) && !control_.check_time())
       reached.end = untangle(reached.points, attempt);
     return reached;
   }

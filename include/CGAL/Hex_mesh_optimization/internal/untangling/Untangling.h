@@ -84,11 +84,12 @@ public:
   }
 
   // Stops when no corner is inverted or nearly so; leaves in points the state with the fewest inverted hexahedra, and
-  // the best worst one if none is inverted. Does nothing if none is. A first attempt gives up where a last one widens.
+  // the best worst one if none is inverted. Does nothing if none is inverted or nearly so. A first attempt gives up where a
+  // last one widens.
   Stage_end run(Positions& points, Run_control& control, Attempt attempt = Attempt::LAST)
   {
     Mesh_quality quality(complex_, points);
-    if (quality.inverted == 0)
+    if (quality.inverted == 0 && quality.minimum >= parameters_.untangled)
       return Stage_end::CONVERGED;
     Best_state best(points, quality, 1, 0);
     std::size_t since = 0, rings = parameters_.rings;
