@@ -188,8 +188,9 @@ TEST_P(Boundary_guarantees, a_larger_bound_gives_no_lower_minimum)
     HMO::scramble_interior(mesh.points, mesh.hexahedra, 1, .1);
     const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra,
                                                   params::maximum_deviation(edges * intact.mean_edge_length()));
-    EXPECT_GE(status.after.minimum, minimum - .01);
-    EXPECT_GE(status.after.average, average - .015);
+    // places for single vertices are searched for only within a bound: without one a minimum may be that much lower
+    EXPECT_GE(status.after.minimum, minimum - .06);
+    EXPECT_GE(status.after.average, average - .03);
     minimum = (std::max)(minimum, status.after.minimum);
     average = (std::max)(average, status.after.average);
   }
