@@ -42,7 +42,7 @@ struct Maximization_parameters
 {
   // Once the mesh has relaxed, both weights of the shape are multiplied by balance / (offset + 1 − average scaled
   // Jacobian): the nearer the angles are to perfect, the more there is to gain from shape, and the less it costs.
-  double shape_balance = .0375;
+  double shape_balance = .0382;
   double shape_balance_offset = .005;
   // Factor of the weight of poor shapes for a reference of its own without a bound: what holds it closely stretches edges
   // (measured on an organic model and a CAD part: the ratios of edges of a hundredth of the hexahedra are 9.0 and 13.7 with
