@@ -66,6 +66,7 @@ public:
     samples_.restore_walls();
     samples_.update(points, 1);
     excess_ = samples_.excess(points);
+    start_minimum_ = quality.minimum;
     target_quality_ = target_quality;
     if (is_target_reached(quality))
       return Stage_end::CONVERGED;
@@ -82,7 +83,7 @@ public:
       if (is_tight())
         update_multipliers(best, points);
       if (!arrivals_.have_begun() || is_tight()) // what is on its way is no result
-        best.offer(points, quality, excess_, looseness(), sliding_.away(points));
+        best.offer(points, quality, excess_, looseness(quality), sliding_.away(points));
       add_to_progress(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, points, quality);
       if (is_tight() && !goes_on_after(i, best, quality, points))
@@ -267,7 +268,9 @@ private:
   // Whether an iteration follows one with the largest weight of the boundary, from where it has led or from elsewhere.
   bool goes_on_after(std::size_t i, Best_state& best, Mesh_quality& quality, Positions& points)
   {
-    const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held();
+    settled_minimum_ = (std::max)(settled_minimum_, quality.minimum);
+    const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held() &&
+                         settled_minimum_ >= start_minimum_;
     const bool is_settled = !is_outside() && is_held && settling_->iterations_without_change() >= parameters_.patience;
     const bool is_over = ++settled_ >= settling_iterations(is_held);
     if (!is_over && !is_settled && !is_target_reached(quality))
@@ -315,23 +318,25 @@ private:
       return false;
     samples_.update(points, 1);
     excess_ = samples_.excess(points);
-    best.offer(points, quality, excess_, looseness(), sliding_.away(points));
+    best.offer(points, quality, excess_, looseness(quality), sliding_.away(points));
     floor_.restart();
     start_maximin(i, quality);
     return true;
   }
 
-  // How far from tight the boundary is attached; what has been tight for few iterations has not come near yet.
-  double looseness() const
+  // How far from tight the boundary is attached; what has been tight for few iterations has not come near yet, and what is
+  // worse than the start not at all.
+  double looseness(const Mesh_quality& quality) const
   {
     if (boundary_.tightness < 1)
       return 1 - boundary_.tightness;
-    return settled_ < parameters_.least_settling_iterations ? (std::numeric_limits<double>::min)() : 0;
+    const bool has_come = settled_ >= parameters_.least_settling_iterations && quality.minimum >= start_minimum_;
+    return has_come ? 0 : (std::numeric_limits<double>::min)();
   }
 
   std::size_t settling_iterations(bool is_held) const
   {
-    if (is_outside())
+    if (is_outside() || settled_minimum_ < start_minimum_) // it would come to nothing
       return parameters_.most_bounded_iterations;
     return is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations;
   }
@@ -401,7 +406,8 @@ private:
   Boundary_energy& boundary_;
   Quality_floor& floor_;
   Arrivals arrivals_;
-  double target_quality_ = 0;
+  double target_quality_ = 0, start_minimum_ = 0;
+  double settled_minimum_ = -1; // the highest with the largest weight of the boundary
   std::function<bool()> time_is_over_;
   double shape_ = 1, shape_yield_ = 1; // factors of both weights of the shape
   double bounded_shape_ = 1;           // the part of the first that bounds ask for
