@@ -118,7 +118,7 @@ inline void add_patches(Mesh& mesh, double angle_in_degrees)
     cell.vertices.assign(patches.faces()[f].begin(), patches.faces()[f].end());
     cell.label = static_cast<std::int64_t>(patches.patches()[f]);
     cell.number_of_hexahedra_before = mesh.hexahedra.size();
-    mesh.attachments.other_cells.push_back(std::move(cell));
+    mesh.mesh_data.other_cells.push_back(std::move(cell));
   }
 }
 

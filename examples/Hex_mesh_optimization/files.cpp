@@ -18,10 +18,9 @@ void read(const std::string& filename, Points& points, Hexahedra& hexahedra)
   CGAL::IO::read_hex_mesh(filename, points, hexahedra);
 }
 
-void read(const std::string& filename, Points& points, Hexahedra& hexahedra,
-          CGAL::IO::Hex_mesh_attachments& attachments)
+void read(const std::string& filename, Points& points, Hexahedra& hexahedra, CGAL::IO::Hex_mesh_data& mesh_data)
 {
-  CGAL::IO::read_hex_mesh(filename, points, hexahedra, attachments);
+  CGAL::IO::read_hex_mesh(filename, points, hexahedra, mesh_data);
 }
 
 void read(const std::string& filename, Surface& surface) { CGAL::IO::read_surface(filename, surface); }
@@ -88,7 +87,7 @@ void copy(const Places& places, const std::string& output, const Points& before,
   places->write(output, triples(before), triples(after));
 }
 
-CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file) { return io::attachments_of(file); }
+CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file) { return io::mesh_data_of(file); }
 
 void read(const std::string& filename, Soup& soup)
 {
@@ -96,7 +95,7 @@ void read(const std::string& filename, Soup& soup)
 }
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
-           const CGAL::IO::Hex_mesh_attachments& attachments)
+           const CGAL::IO::Hex_mesh_data& mesh_data)
 {
-  CGAL::IO::write_hex_mesh(filename, points, hexahedra, attachments);
+  CGAL::IO::write_hex_mesh(filename, points, hexahedra, mesh_data);
 }

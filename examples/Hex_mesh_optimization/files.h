@@ -7,7 +7,7 @@
 // What the command-line programs read, write and repair. The readers, the writers and the repair take the most of the time of
 // compilation: they are compiled once for all programs.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file.h>
 #include <CGAL/Hex_mesh_optimization/Surface_repair.h>
 
@@ -34,8 +34,7 @@ struct Soup
 };
 
 void read(const std::string& filename, Points& points, Hexahedra& hexahedra);
-void read(const std::string& filename, Points& points, Hexahedra& hexahedra,
-          CGAL::IO::Hex_mesh_attachments& attachments);
+void read(const std::string& filename, Points& points, Hexahedra& hexahedra, CGAL::IO::Hex_mesh_data& mesh_data);
 void read(const std::string& filename, Surface& surface);
 void read(const std::string& filename, Soup& soup);
 
@@ -60,10 +59,10 @@ using Places = std::shared_ptr<const CGAL::Hex_mesh_optimization::internal::IO::
 Places places_in(const std::string& input, const std::string& output, const Points& points);
 void copy(const Places& places, const std::string& output, const Points& before, const Points& after);
 
-CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file);
+CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file);
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,
-           const CGAL::IO::Hex_mesh_attachments& attachments = {});
+           const CGAL::IO::Hex_mesh_data& mesh_data = {});
 
 void repair(Surface& surface);
 CGAL::Hex_mesh_optimization::Surface_repair repair(Soup& soup);

@@ -265,7 +265,7 @@ Exit_code run(const Options& options)
 
   if (CGAL::IO::is_hex_mesh_file(options.output)) // a solver applies loads to sets of faces
     add_patches(mesh, options.features_angle);
-  write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+  write(options.output, mesh.points, mesh.hexahedra, mesh.mesh_data);
   if (!options.quiet) {
     print(repaired);
     print(status.surface);

@@ -6,7 +6,7 @@
 
 #include "program.h"
 
-#include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/unsupported_data.h>
 #include <CGAL/Hex_mesh_optimization/coincident_vertices.h>
 #include <CGAL/Hex_mesh_optimization/quality.h>
 #include <CGAL/Hex_mesh_optimization/validity.h>
@@ -138,8 +138,8 @@ void add_options(CLI::App& app, Options& o)
 // What becomes of the file beside points and hexahedra: one line for each thing that is lost.
 std::vector<std::string> losses(const Mesh& mesh, const std::string& output)
 {
-  std::vector<std::string> result = mesh.attachments.left_out;
-  for (const std::string& lost : CGAL::IO::lost_attachments(output, mesh.attachments))
+  std::vector<std::string> result = mesh.mesh_data.left_out;
+  for (const std::string& lost : CGAL::IO::unsupported_data(output, mesh.mesh_data))
     result.push_back(lost);
   return result;
 }
@@ -152,14 +152,14 @@ Mesh read_input(const Options& options)
     for (const auto& p : mesh.file->points)
       mesh.points.emplace_back(p[0], p[1], p[2]);
     mesh.hexahedra = mesh.file->hexahedra;
-    mesh.attachments = attachments_of(*mesh.file);
+    mesh.mesh_data = mesh_data_of(*mesh.file);
     mesh.is_copied = is_copy(options.input, options.output);
     if (mesh.hexahedra.empty() && !options.info)
       throw CGAL::IO::Hex_mesh_file_error(options.input, 0, "there are no hexahedra in the file");
   }
   else
-    read(options.input, mesh.points, mesh.hexahedra, mesh.attachments);
-  if (!options.label_array.empty() && !mesh.attachments.use_label_array(options.label_array))
+    read(options.input, mesh.points, mesh.hexahedra, mesh.mesh_data);
+  if (!options.label_array.empty() && !mesh.mesh_data.use_label_array(options.label_array))
     throw CGAL::IO::Hex_mesh_file_error(options.input, 0,
                                         "there is no array \"" + options.label_array +
                                           "\" with one integral number for each cell");
@@ -183,7 +183,7 @@ Mesh merged(const Mesh& mesh)
   for (auto& h : result.hexahedra)
     for (std::size_t& v : h)
       v = result.merged_into[v];
-  for (auto& cell : result.attachments.other_cells)
+  for (auto& cell : result.mesh_data.other_cells)
     for (std::size_t& v : cell.vertices)
       v = result.merged_into[v];
   return result;
@@ -209,10 +209,10 @@ std::set<std::size_t> read_vertices(const std::string& filename, std::size_t num
 }
 
 // The quadrilaterals of a file that have a label: if hexahedra are on both sides, it is a face to be kept.
-std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_attachments& attachments)
+std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_data& mesh_data)
 {
   std::vector<std::array<std::size_t, 4>> result;
-  for (const auto& quadrilateral : attachments.labelled_quadrilaterals())
+  for (const auto& quadrilateral : mesh_data.labelled_quadrilaterals())
     if (quadrilateral.label != 0)
       result.push_back(quadrilateral.vertices);
   return result;
@@ -222,7 +222,7 @@ std::vector<std::array<std::size_t, 4>> labelled_faces(const CGAL::IO::Hex_mesh_
 std::vector<std::array<std::size_t, 4>> kept_faces(const Mesh& mesh, const Options& o)
 {
   if (!mesh.file)
-    return labelled_faces(mesh.attachments);
+    return labelled_faces(mesh.mesh_data);
   std::vector<std::array<std::size_t, 4>> result;
   for (const std::string& name : o.interior_surfaces) {
     const CGAL::IO::Hex_mesh_set& set = named_set(mesh, o, name);
@@ -438,7 +438,7 @@ Input read_all(const Options& o)
     read(o.beside, input.beside.points, input.beside.hexahedra);
   if (!o.reference.empty())
     read(o.reference, input.reference);
-  input.labels = Labels(input.mesh.attachments.hexahedron_labels);
+  input.labels = Labels(input.mesh.mesh_data.hexahedron_labels);
   input.interfaces = read_interfaces(o, input.labels);
   return input;
 }
@@ -496,9 +496,9 @@ void print_file(const Mesh& mesh, std::ostream& out)
 void print_info(const Mesh& mesh, const Options& o)
 {
   std::cout << o.input << ": " << (mesh.file ? mesh.file->format : "mesh") << ", " << mesh.points.size() << " points, "
-            << mesh.hexahedra.size() << " hexahedra, " << mesh.attachments.other_cells.size() << " other cells\n";
+            << mesh.hexahedra.size() << " hexahedra, " << mesh.mesh_data.other_cells.size() << " other cells\n";
   print_file(mesh, std::cout);
-  const Labels labels(mesh.file ? mesh.file->labels : mesh.attachments.hexahedron_labels);
+  const Labels labels(mesh.file ? mesh.file->labels : mesh.mesh_data.hexahedron_labels);
   for (std::size_t i = 0; i < labels.values.size(); ++i) {
     std::cout << "label " << labels.values[i] << ": "
               << std::count(labels.numbers.begin(), labels.numbers.end(), static_cast<int>(i)) << " hexahedra";
@@ -647,7 +647,7 @@ Exit_code run(const Options& options)
   if (!write_as_copy(mesh, input, places, options, status)) {
     if (places)
       lost = announced_losses(mesh, options);
-    write(options.output, mesh.points, mesh.hexahedra, mesh.attachments);
+    write(options.output, mesh.points, mesh.hexahedra, mesh.mesh_data);
   }
   if (!options.quiet) {
     print_file(mesh, std::cout);
@@ -660,8 +660,8 @@ Exit_code run(const Options& options)
                      {"status", json(status, mesh, labels)},
                      {"number_of_merged_vertices", mesh.number_of_merged()},
                      {"labels",
-                      {{"array", mesh.attachments.label_array.empty() ? Json() : Json(mesh.attachments.label_array)},
-                       {"number_of_labeled_hexahedra", mesh.attachments.hexahedron_labels.size()}}},
+                      {{"array", mesh.mesh_data.label_array.empty() ? Json() : Json(mesh.mesh_data.label_array)},
+                       {"number_of_labeled_hexahedra", mesh.mesh_data.hexahedron_labels.size()}}},
                      {"lost", lost},
                      {"file", json_of_file(mesh, outcome.notes)}},
                     outcome.iterations);

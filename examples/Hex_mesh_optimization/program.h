@@ -181,7 +181,7 @@ struct Mesh
 {
   Points points;
   Hexahedra hexahedra;
-  CGAL::IO::Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_data mesh_data;
   Solver_file file;                     // of a solver, if it is one
   bool is_copied = false;               // to a file of the same format, with the numbering of its hexahedra
   std::vector<std::size_t> merged_into; // another vertex, for each; empty: none is merged

@@ -7,7 +7,7 @@
 #include "files.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
-#include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/unsupported_data.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/validity.h>
 
@@ -21,10 +21,10 @@
 namespace {
 
 // Of the faces between hexahedra that have a label in the file, as the program optimize_hex_mesh keeps them.
-std::vector<std::array<std::int64_t, 4>> internal_faces(const CGAL::IO::Hex_mesh_attachments& attachments)
+std::vector<std::array<std::int64_t, 4>> internal_faces(const CGAL::IO::Hex_mesh_data& mesh_data)
 {
   std::vector<std::array<std::int64_t, 4>> result;
-  for (const auto& q : attachments.labelled_quadrilaterals())
+  for (const auto& q : mesh_data.labelled_quadrilaterals())
     if (q.label != 0) {
       result.emplace_back();
       std::copy(q.vertices.begin(), q.vertices.end(), result.back().begin());
@@ -65,11 +65,11 @@ void read_any(File_content& content, Points& points, Hexahedra& hexahedra)
 {
   content.solver_file = read_solver_file(content.filename);
   if (!content.solver_file)
-    return read(content.filename, points, hexahedra, content.attachments);
+    return read(content.filename, points, hexahedra, content.mesh_data);
   for (const auto& p : content.solver_file->points)
     points.emplace_back(p[0], p[1], p[2]);
   hexahedra = content.solver_file->hexahedra;
-  content.attachments = attachments_of(*content.solver_file);
+  content.mesh_data = mesh_data_of(*content.solver_file);
 }
 
 // A copy may have no room for all digits.
@@ -96,12 +96,12 @@ py::dict read_mesh(const std::string& filename, const std::string& label_array)
   Hexahedra hexahedra;
   File_content content;
   content.filename = filename;
-  CGAL::IO::Hex_mesh_attachments& attachments = content.attachments;
+  CGAL::IO::Hex_mesh_data& mesh_data = content.mesh_data;
   {
     const py::gil_scoped_release unlocked;
     read_any(content, points, hexahedra);
   }
-  if (!label_array.empty() && !attachments.use_label_array(label_array))
+  if (!label_array.empty() && !mesh_data.use_label_array(label_array))
     throw CGAL::IO::Hex_mesh_file_error(filename, 0,
                                         "there is no array \"" + label_array +
                                           "\" with one integral number for each cell");
@@ -109,13 +109,13 @@ py::dict read_mesh(const std::string& filename, const std::string& label_array)
   result["points"] = as_array(std::move(points));
   result["hexahedra"] = as_array(std::move(hexahedra));
   result["labels"] = py::none();
-  if (!attachments.hexahedron_labels.empty())
-    result["labels"] = as_array(std::vector<std::int64_t>(attachments.hexahedron_labels));
-  result["internal_faces"] = as_array(internal_faces(attachments));
+  if (!mesh_data.hexahedron_labels.empty())
+    result["labels"] = as_array(std::vector<std::int64_t>(mesh_data.hexahedron_labels));
+  result["internal_faces"] = as_array(internal_faces(mesh_data));
   const CGAL::IO::Hex_mesh_file none, &file = content.solver_file ? *content.solver_file : none;
   result["parameters"] = parameters(file);
   result["sets"] = sets(file);
-  result["notes"] = content.solver_file ? file.notes : attachments.left_out;
+  result["notes"] = content.solver_file ? file.notes : mesh_data.left_out;
   result["content"] = std::move(content);
   return result;
 }
@@ -144,17 +144,17 @@ std::vector<std::string> write_mesh(const std::string& filename, const py::array
 {
   require_vertices(Table(hexahedra), Table(points).rows());
   File_content of_arrays;
-  of_arrays.attachments.hexahedron_labels = labels;
+  of_arrays.mesh_data.hexahedron_labels = labels;
   const File_content& written = content == nullptr ? of_arrays : *content;
   const Points all_points = points_of(points);
   const Hexahedra all_hexahedra = hexahedra_of(hexahedra);
   const py::gil_scoped_release unlocked;
   if (written.solver_file && is_copy(written.filename, filename))
     return write_copy(*written.solver_file, filename, all_points);
-  write(filename, all_points, all_hexahedra, written.attachments);
-  std::vector<std::string> lost = CGAL::IO::lost_attachments(filename, written.attachments);
+  write(filename, all_points, all_hexahedra, written.mesh_data);
+  std::vector<std::string> lost = CGAL::IO::unsupported_data(filename, written.mesh_data);
   if (written.solver_file) // what is left out of other files is left out when they are read
-    lost.insert(lost.end(), written.attachments.left_out.begin(), written.attachments.left_out.end());
+    lost.insert(lost.end(), written.mesh_data.left_out.begin(), written.mesh_data.left_out.end());
   for (std::string& line : lost)
     line = "not in the file: " + line;
   return lost;

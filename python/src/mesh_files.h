@@ -6,7 +6,7 @@
 
 // The files of the programs.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file.h>
 
 #include <pybind11/numpy.h>
@@ -23,7 +23,7 @@ namespace py = pybind11;
 struct File_content
 {
   std::string filename;
-  CGAL::IO::Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_data mesh_data;
   std::shared_ptr<const CGAL::IO::Hex_mesh_file> solver_file; // empty, if it is of another kind
 };
 

@@ -40,7 +40,7 @@ struct Mesh
 {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
-  CGAL::IO::Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_data mesh_data;
 };
 
 // Each test runs in a folder of its own.
@@ -82,13 +82,13 @@ protected:
 
   void write(const std::string& name, const Mesh& mesh) const
   {
-    CGAL::IO::write_medit_hex_mesh((folder / name).string(), mesh.points, mesh.hexahedra, mesh.attachments);
+    CGAL::IO::write_medit_hex_mesh((folder / name).string(), mesh.points, mesh.hexahedra, mesh.mesh_data);
   }
 
   Mesh read(const std::string& name) const
   {
     Mesh mesh;
-    CGAL::IO::read_medit_hex_mesh((folder / name).string(), mesh.points, mesh.hexahedra, mesh.attachments);
+    CGAL::IO::read_medit_hex_mesh((folder / name).string(), mesh.points, mesh.hexahedra, mesh.mesh_data);
     return mesh;
   }
 
@@ -341,12 +341,12 @@ TEST_F(Program, renumbers_a_single_hexahedron_that_is_inside_out)
   std::swap_ranges(mirrored.hexahedra[21].begin(), mirrored.hexahedra[21].begin() + 4,
                    mirrored.hexahedra[21].begin() + 4);
   for (std::size_t h = 0; h < 64; ++h)
-    mirrored.attachments.hexahedron_labels.push_back(static_cast<int>(h / 32));
+    mirrored.mesh_data.hexahedron_labels.push_back(static_cast<int>(h / 32));
   write("in.mesh", mirrored);
   EXPECT_NE(run("in.mesh out.mesh --json out.json"), 3);
   const Mesh output = read("out.mesh");
   EXPECT_EQ(output.hexahedra, right.hexahedra);
-  EXPECT_EQ(output.attachments.hexahedron_labels, mirrored.attachments.hexahedron_labels);
+  EXPECT_EQ(output.mesh_data.hexahedron_labels, mirrored.mesh_data.hexahedron_labels);
   EXPECT_TRUE(contains(text("stdout"), "1 hexahedra were numbered inside out"));
   EXPECT_EQ(json("out.json")["status"]["turned_hexahedra"], nlohmann::json::array({21}));
 }
@@ -393,17 +393,17 @@ TEST_F(Program, keeps_labels_and_other_sections)
 {
   Mesh input = tangled_block();
   for (std::size_t v = 0; v < input.points.size(); ++v)
-    input.attachments.vertex_labels.push_back(static_cast<int>(v % 5));
+    input.mesh_data.vertex_labels.push_back(static_cast<int>(v % 5));
   for (std::size_t h = 0; h < input.hexahedra.size(); ++h)
-    input.attachments.hexahedron_labels.push_back(7); // one region: interfaces of a tangled mesh may be hopeless
-  input.attachments.other_sections = "Corners\n2\n1\n5\nRequiredVertices\n1\n1\n";
+    input.mesh_data.hexahedron_labels.push_back(7); // one region: interfaces of a tangled mesh may be hopeless
+  input.mesh_data.other_sections = "Corners\n2\n1\n5\nRequiredVertices\n1\n1\n";
   write("in.mesh", input);
   EXPECT_EQ(run("in.mesh out.mesh"), 0);
   const Mesh output = read("out.mesh");
-  EXPECT_EQ(output.attachments.vertex_labels, input.attachments.vertex_labels);
-  EXPECT_EQ(output.attachments.hexahedron_labels, input.attachments.hexahedron_labels);
+  EXPECT_EQ(output.mesh_data.vertex_labels, input.mesh_data.vertex_labels);
+  EXPECT_EQ(output.mesh_data.hexahedron_labels, input.mesh_data.hexahedron_labels);
   for (const char* section : {"Corners", "RequiredVertices"})
-    EXPECT_TRUE(contains(output.attachments.other_sections, section)) << section;
+    EXPECT_TRUE(contains(output.mesh_data.other_sections, section)) << section;
 }
 
 // Data of points and cells come back from a .vtk file, and labels from any other format; what cannot is named.
@@ -411,9 +411,9 @@ TEST_F(Program, keeps_data_and_names_what_a_format_cannot_hold)
 {
   Mesh input = tangled_block();
   for (std::size_t h = 0; h < input.hexahedra.size(); ++h)
-    input.attachments.hexahedron_labels.push_back(h < 32 ? 7 : -3);
-  input.attachments.other_sections = "Corners\n2\n1\n5\n";
-  input.attachments.other_cells = {{9, {0, 1, 6, 5}, 8, 64}};
+    input.mesh_data.hexahedron_labels.push_back(h < 32 ? 7 : -3);
+  input.mesh_data.other_sections = "Corners\n2\n1\n5\n";
+  input.mesh_data.other_cells = {{9, {0, 1, 6, 5}, 8, 64}};
   write("in.mesh", input);
   run("in.mesh out.vtk --json out.json");
   EXPECT_EQ(text("stderr"), "warning: not in the output: the section Corners\n");
@@ -434,9 +434,9 @@ TEST_F(Program, keeps_data_and_names_what_a_format_cannot_hold)
 
   run("data.vtk back.mesh");
   EXPECT_EQ(text("stderr"), "warning: not in the output: the array \"heat\" of the cells\n");
-  EXPECT_EQ(read("back.mesh").attachments.hexahedron_labels, input.attachments.hexahedron_labels);
-  ASSERT_EQ(read("back.mesh").attachments.other_cells.size(), 1u);
-  EXPECT_EQ(read("back.mesh").attachments.other_cells[0].label, 8);
+  EXPECT_EQ(read("back.mesh").mesh_data.hexahedron_labels, input.mesh_data.hexahedron_labels);
+  ASSERT_EQ(read("back.mesh").mesh_data.other_cells.size(), 1u);
+  EXPECT_EQ(read("back.mesh").mesh_data.other_cells[0].label, 8);
 
   EXPECT_EQ(run("data.vtk other.mesh --label-array heat"), 3);
   EXPECT_TRUE(contains(text("stderr"), "there is no array \"heat\" with one integral number for each cell"));
@@ -450,7 +450,7 @@ TEST_F(Program, keeps_data_and_names_what_a_format_cannot_hold)
     }());
   run("chosen.vtk chosen.mesh --label-array mine --json out.json");
   EXPECT_EQ(json("out.json")["labels"]["array"], "mine");
-  EXPECT_EQ(read("chosen.mesh").attachments.hexahedron_labels, std::vector<std::int64_t>(64, 4));
+  EXPECT_EQ(read("chosen.mesh").mesh_data.hexahedron_labels, std::vector<std::int64_t>(64, 4));
 }
 
 // In sixteen columns of four cells: the lower half is of one material, the upper one of another. No vertex between them is
@@ -468,7 +468,7 @@ Mesh two_materials()
     double z = 0;
     for (std::size_t v : h)
       z += intact[v].z() / 8;
-    mesh.attachments.hexahedron_labels.push_back(z < .5 ? 30 : 20);
+    mesh.mesh_data.hexahedron_labels.push_back(z < .5 ? 30 : 20);
   }
   return mesh;
 }
@@ -478,7 +478,7 @@ std::vector<std::size_t> vertices_between(const Mesh& mesh)
   std::vector<std::array<bool, 2>> is_in(mesh.points.size());
   for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h)
     for (std::size_t v : mesh.hexahedra[h])
-      is_in[v][mesh.attachments.hexahedron_labels[h] == 20] = true;
+      is_in[v][mesh.mesh_data.hexahedron_labels[h] == 20] = true;
   std::vector<std::size_t> result;
   for (std::size_t v = 0; v < is_in.size(); ++v)
     if (is_in[v][0] && is_in[v][1])
@@ -511,7 +511,7 @@ std::string vtu(const Mesh& mesh)
   for (std::size_t h = 0; h < n; ++h)
     out << h << ".5 ";
   out << "\n</DataArray>\n<DataArray type=\"Int32\" Name=\"material\" format=\"ascii\">\n";
-  for (std::int64_t label : mesh.attachments.hexahedron_labels)
+  for (std::int64_t label : mesh.mesh_data.hexahedron_labels)
     out << label << ' ';
   out << "\n</DataArray></CellData>\n</Piece></UnstructuredGrid>\n</VTKFile>\n";
   return out.str();
@@ -536,9 +536,9 @@ TEST_F(Program, keeps_the_interface_that_cell_data_of_a_vtu_file_make)
 
   // all of it comes back: to a format with labels, and from there
   Mesh output;
-  CGAL::IO::read_vtu_hex_mesh((folder / "out.vtu").string(), output.points, output.hexahedra, output.attachments);
+  CGAL::IO::read_vtu_hex_mesh((folder / "out.vtu").string(), output.points, output.hexahedra, output.mesh_data);
   EXPECT_EQ(output.hexahedra, input.hexahedra);
-  EXPECT_EQ(output.attachments.hexahedron_labels, input.attachments.hexahedron_labels);
+  EXPECT_EQ(output.mesh_data.hexahedron_labels, input.mesh_data.hexahedron_labels);
   EXPECT_TRUE(contains(text("out.vtu"), "\"heat\""));
   const std::vector<std::size_t> between = vertices_between(input);
   EXPECT_EQ(between.size(), 25u);

@@ -5,9 +5,9 @@
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 
-void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra, Attachments& attachments)
+void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra, Mesh_data& mesh_data)
 {
-  CGAL::IO::read_hex_mesh(filename, points, hexahedra, attachments);
+  CGAL::IO::read_hex_mesh(filename, points, hexahedra, mesh_data);
 }
 
 void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra)
@@ -16,13 +16,13 @@ void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra
 }
 
 void write_hex_mesh(const std::string& filename, const Points& points, const Cells& hexahedra,
-                    const Attachments& attachments)
+                    const Mesh_data& mesh_data)
 {
-  CGAL::IO::write_hex_mesh(filename, points, hexahedra, attachments);
+  CGAL::IO::write_hex_mesh(filename, points, hexahedra, mesh_data);
 }
 
 void write_hex_mesh(const std::string& filename, const Points& points, const Cells& hexahedra,
-                    const Attachments& attachments, bool is_binary)
+                    const Mesh_data& mesh_data, bool is_binary)
 {
-  CGAL::IO::write_hex_mesh(filename, points, hexahedra, attachments, CGAL::parameters::use_binary_mode(is_binary));
+  CGAL::IO::write_hex_mesh(filename, points, hexahedra, mesh_data, CGAL::parameters::use_binary_mode(is_binary));
 }

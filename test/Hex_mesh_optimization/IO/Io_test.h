@@ -6,7 +6,7 @@
 
 // What the tests of files share: a folder for each, and the text of small meshes.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/base64.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/binary_number.h>
@@ -34,15 +34,15 @@ using Points = std::vector<Simple::Point_3>;
 using Cells = std::vector<Cell>;
 using Array = CGAL::IO::Hex_mesh_data_array;
 using Role = Array::Role;
-using Attachments = CGAL::IO::Hex_mesh_attachments;
+using Mesh_data = CGAL::IO::Hex_mesh_data;
 
 // CGAL::IO::read_hex_mesh() and CGAL::IO::write_hex_mesh(), which are templates: compiled once for these types.
-void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra, Attachments& attachments);
+void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra, Mesh_data& mesh_data);
 void read_hex_mesh(const std::string& filename, Points& points, Cells& hexahedra);
 void write_hex_mesh(const std::string& filename, const Points& points, const Cells& hexahedra,
-                    const Attachments& attachments = Attachments());
+                    const Mesh_data& mesh_data = Mesh_data());
 void write_hex_mesh(const std::string& filename, const Points& points, const Cells& hexahedra,
-                    const Attachments& attachments, bool is_binary);
+                    const Mesh_data& mesh_data, bool is_binary);
 
 // A folder of its own for every test, removed at the end.
 class Io_test : public ::testing::Test
@@ -228,12 +228,12 @@ inline std::vector<Array> arrays_of_all_types(std::size_t size, std::size_t numb
 }
 
 // Two hexahedra with a line before, a triangle and a quadrilateral between and a vertex after them
-inline void add_other_cells(Attachments& attachments)
+inline void add_other_cells(Mesh_data& mesh_data)
 {
-  attachments.other_cells = {{3, {0, 5}, 0, 0}, {5, {1, 2, 3}, 0, 1}, {9, {5, 6, 8, 7}, 0, 1}, {1, {13}, 0, 2}};
+  mesh_data.other_cells = {{3, {0, 5}, 0, 0}, {5, {1, 2, 3}, 0, 1}, {9, {5, 6, 8, 7}, 0, 1}, {1, {13}, 0, 2}};
 }
 
-inline void expect_same_cells(const Attachments& a, const Attachments& b)
+inline void expect_same_cells(const Mesh_data& a, const Mesh_data& b)
 {
   ASSERT_EQ(a.other_cells.size(), b.other_cells.size());
   for (std::size_t i = 0; i < a.other_cells.size(); ++i) {

@@ -103,13 +103,13 @@ TEST_F(Hex_mesh_file, linear_cell_complexes)
   }
 }
 
-TEST_F(Hex_mesh_file, linear_cell_complex_keeps_attachments_and_stays_upon_an_error)
+TEST_F(Hex_mesh_file, linear_cell_complex_keeps_mesh_data_and_stays_upon_an_error)
 {
   CGAL::Linear_cell_complex_for_combinatorial_map<3, 3> lcc;
-  CGAL::IO::Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_data mesh_data;
   const std::string text = medit_header + medit_vertices() + medit_hexahedra + "Corners\n2\n1\n8\nEnd\n";
-  CGAL::IO::read_hex_mesh(write("a.mesh", text), lcc, attachments);
-  CGAL::IO::write_hex_mesh(path("b.mesh"), lcc, attachments);
+  CGAL::IO::read_hex_mesh(write("a.mesh", text), lcc, mesh_data);
+  CGAL::IO::write_hex_mesh(path("b.mesh"), lcc, mesh_data);
   EXPECT_EQ(content(path("b.mesh")), text);
 
   const std::string bad = medit_header + medit_vertices() + "Hexahedra\n1\n1 2 3 4 5 6 7 7 0\nEnd\n";
@@ -139,15 +139,15 @@ TEST_F(Hex_mesh_file, damaged_files_do_no_harm)
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
   make_mesh(points, hexahedra);
-  Attachments attachments;
-  add_other_cells(attachments);
-  attachments.point_data = arrays_of_all_types(3 * points.size(), 3);
-  attachments.cell_data = arrays_of_all_types(6, 1);
-  attachments.field_data = arrays_of_all_types(5, 1);
+  Mesh_data mesh_data;
+  add_other_cells(mesh_data);
+  mesh_data.point_data = arrays_of_all_types(3 * points.size(), 3);
+  mesh_data.cell_data = arrays_of_all_types(6, 1);
+  mesh_data.field_data = arrays_of_all_types(5, 1);
   std::mt19937 random(3);
   for (const char* name : {"a.mesh", "a.vtk", "a.vtu"})
     for (const bool binary : {false, true}) {
-      CGAL::IO::write_hex_mesh(path(name), points, hexahedra, attachments, CGAL::parameters::use_binary_mode(binary));
+      CGAL::IO::write_hex_mesh(path(name), points, hexahedra, mesh_data, CGAL::parameters::use_binary_mode(binary));
       const std::string good = content(path(name));
       for (int i = 0; i < 300; ++i) {
         std::string bad = good;
@@ -176,7 +176,7 @@ TEST_F(Hex_mesh_file, output_appears_complete_or_not_at_all)
   std::vector<Cell> hexahedra;
   make_mesh(points, hexahedra);
   write("old.mesh", "old");
-  CGAL::IO::Hex_mesh_attachments wrong;
+  CGAL::IO::Hex_mesh_data wrong;
   wrong.hexahedron_labels = {1, 2, 3};
   EXPECT_THROW(CGAL::IO::write_hex_mesh(path("old.mesh"), points, hexahedra, wrong), CGAL::IO::Hex_mesh_file_error);
   EXPECT_EQ(content(path("old.mesh")), "old");
@@ -201,26 +201,26 @@ TEST_F(Hex_mesh_file, labels_survive_any_change_of_format)
   std::vector<Simple::Point_3> points, points_back;
   std::vector<Cell> hexahedra, hexahedra_back;
   make_mesh(points, hexahedra);
-  Attachments attachments;
-  attachments.hexahedron_labels = {-3, 1234567890123};
+  Mesh_data mesh_data;
+  mesh_data.hexahedron_labels = {-3, 1234567890123};
   for (std::size_t v = 0; v < points.size(); ++v)
-    attachments.vertex_labels.push_back(std::int64_t(v) - 5);
-  attachments.other_cells = {{9, {1, 2, 4, 3}, 7, 2}, {5, {1, 2, 3}, -8, 2}, {3, {0, 1}, 9, 2}};
-  CGAL::IO::write_hex_mesh(path("0.mesh"), points, hexahedra, attachments);
+    mesh_data.vertex_labels.push_back(std::int64_t(v) - 5);
+  mesh_data.other_cells = {{9, {1, 2, 4, 3}, 7, 2}, {5, {1, 2, 3}, -8, 2}, {3, {0, 1}, 9, 2}};
+  CGAL::IO::write_hex_mesh(path("0.mesh"), points, hexahedra, mesh_data);
   std::string last = "0.mesh";
   for (const char* next : {"1.vtk", "2.vtu", "3.vtk", "4.mesh", "5.vtu", "6.mesh"}) {
     SCOPED_TRACE(next);
-    Attachments read;
+    Mesh_data read;
     CGAL::IO::read_hex_mesh(path(last), points_back, hexahedra_back, read);
     EXPECT_TRUE(read.left_out.empty());
-    EXPECT_TRUE(CGAL::IO::lost_attachments(next, read).empty());
+    EXPECT_TRUE(CGAL::IO::unsupported_data(next, read).empty());
     CGAL::IO::write_hex_mesh(path(next), points_back, hexahedra_back, read);
     CGAL::IO::read_hex_mesh(path(next), points_back, hexahedra_back, read);
     EXPECT_TRUE(same_points(points, points_back));
     EXPECT_EQ(hexahedra, hexahedra_back);
-    EXPECT_EQ(read.hexahedron_labels, attachments.hexahedron_labels);
-    EXPECT_EQ(read.vertex_labels, attachments.vertex_labels);
-    expect_same_cells(attachments, read);
+    EXPECT_EQ(read.hexahedron_labels, mesh_data.hexahedron_labels);
+    EXPECT_EQ(read.vertex_labels, mesh_data.vertex_labels);
+    expect_same_cells(mesh_data, read);
     last = next;
   }
   EXPECT_EQ(content(path("0.mesh")), content(path("6.mesh")));
@@ -232,11 +232,11 @@ TEST_F(Hex_mesh_file, labels_that_are_all_0_are_none)
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
   make_mesh(points, hexahedra);
-  Attachments attachments;
-  attachments.hexahedron_labels = {0, 0};
-  attachments.vertex_labels.assign(points.size(), 0);
+  Mesh_data mesh_data;
+  mesh_data.hexahedron_labels = {0, 0};
+  mesh_data.vertex_labels.assign(points.size(), 0);
   for (const char* name : {"a.vtk", "a.vtu"}) {
-    CGAL::IO::write_hex_mesh(path(name), points, hexahedra, attachments);
+    CGAL::IO::write_hex_mesh(path(name), points, hexahedra, mesh_data);
     EXPECT_EQ(content(path(name)).find("ref"), std::string::npos);
   }
 }
@@ -248,11 +248,11 @@ TEST_F(Hex_mesh_file, changed_labels_are_written)
   std::vector<Cell> hexahedra;
   make_mesh(points, hexahedra);
   for (const char* name : {"a.vtk", "a.vtu"}) {
-    Attachments attachments, read;
-    attachments.cell_data.emplace_back();
-    attachments.cell_data.back().name = "Material";
-    attachments.cell_data.back().values = std::vector<float>{1, 2};
-    CGAL::IO::write_hex_mesh(path(name), points, hexahedra, attachments);
+    Mesh_data mesh_data, read;
+    mesh_data.cell_data.emplace_back();
+    mesh_data.cell_data.back().name = "Material";
+    mesh_data.cell_data.back().values = std::vector<float>{1, 2};
+    CGAL::IO::write_hex_mesh(path(name), points, hexahedra, mesh_data);
     CGAL::IO::read_hex_mesh(path(name), points, hexahedra, read);
     EXPECT_EQ(read.hexahedron_labels, (std::vector<std::int64_t>{1, 2}));
     read.hexahedron_labels = {5, 6};
@@ -270,33 +270,33 @@ TEST_F(Hex_mesh_file, data_come_back)
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
   make_mesh(points, hexahedra);
-  Attachments attachments;
-  add_other_cells(attachments);
+  Mesh_data mesh_data;
+  add_other_cells(mesh_data);
   for (std::size_t components : {1, 2, 3, 9}) {
     for (const Array& array : arrays_of_all_types(components * points.size(), components))
-      attachments.point_data.push_back(array);
+      mesh_data.point_data.push_back(array);
     for (const Array& array : arrays_of_all_types(components * 6, components))
-      attachments.cell_data.push_back(array);
+      mesh_data.cell_data.push_back(array);
     for (const Array& array : arrays_of_all_types(components * 5, components))
-      attachments.field_data.push_back(array);
+      mesh_data.field_data.push_back(array);
   }
   for (const char* name : {"a.vtk", "a.vtu"})
     for (const bool is_binary : {false, true}) {
       SCOPED_TRACE(std::string(name) + (is_binary ? " in binary" : ""));
-      attachments.is_binary = is_binary;
-      CGAL::IO::write_hex_mesh(path(name), points, hexahedra, attachments);
+      mesh_data.is_binary = is_binary;
+      CGAL::IO::write_hex_mesh(path(name), points, hexahedra, mesh_data);
       std::vector<Simple::Point_3> points_back;
       std::vector<Cell> hexahedra_back;
-      Attachments read;
+      Mesh_data read;
       CGAL::IO::read_hex_mesh(path(name), points_back, hexahedra_back, read);
       EXPECT_TRUE(read.left_out.empty()) << read.left_out[0];
       EXPECT_TRUE(same_points(points, points_back));
       EXPECT_EQ(hexahedra, hexahedra_back);
       EXPECT_EQ(read.is_binary, is_binary);
-      expect_same_cells(attachments, read);
-      expect_same_arrays(attachments.point_data, read.point_data);
-      expect_same_arrays(attachments.cell_data, read.cell_data);
-      expect_same_arrays(attachments.field_data, read.field_data);
+      expect_same_cells(mesh_data, read);
+      expect_same_arrays(mesh_data.point_data, read.point_data);
+      expect_same_arrays(mesh_data.cell_data, read.cell_data);
+      expect_same_arrays(mesh_data.field_data, read.field_data);
       const std::string before = content(path(name));
       CGAL::IO::write_hex_mesh(path(name), points_back, hexahedra_back, read);
       EXPECT_EQ(content(path(name)), before) << "the second time is as the first";
@@ -309,10 +309,10 @@ TEST_F(Hex_mesh_file, data_that_do_not_fit_are_refused)
   std::vector<Cell> hexahedra;
   make_mesh(points, hexahedra);
   for (const char* name : {"a.vtk", "a.vtu"})
-    for (auto Attachments::*arrays : {&Attachments::point_data, &Attachments::cell_data}) {
-      Attachments attachments;
-      attachments.*arrays = arrays_of_all_types(7, 1);
-      EXPECT_THROW(CGAL::IO::write_hex_mesh(path(name), points, hexahedra, attachments), CGAL::IO::Hex_mesh_file_error);
+    for (auto Mesh_data::*arrays : {&Mesh_data::point_data, &Mesh_data::cell_data}) {
+      Mesh_data mesh_data;
+      mesh_data.*arrays = arrays_of_all_types(7, 1);
+      EXPECT_THROW(CGAL::IO::write_hex_mesh(path(name), points, hexahedra, mesh_data), CGAL::IO::Hex_mesh_file_error);
       EXPECT_FALSE(std::filesystem::exists(path(name)));
     }
 }

@@ -641,7 +641,7 @@ TEST_F(Hex_mesh_copy, openfoam)
 TEST_F(Hex_mesh_copy, what_is_written_for_solvers_comes_back)
 {
   std::vector<std::int64_t> labels = {4, 4, 4, 4, 7, 7, 7, 7};
-  std::vector<Attachments::Labelled_quadrilateral> faces;
+  std::vector<Mesh_data::Labelled_quadrilateral> faces;
   for (std::size_t h = 0; h < 4; ++h)
     faces.push_back(
       {{{block.hexahedra[h][0], block.hexahedra[h][1], block.hexahedra[h][2], block.hexahedra[h][3]}}, 3});

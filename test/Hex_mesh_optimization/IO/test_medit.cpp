@@ -26,36 +26,36 @@ TEST_F(Medit, sections_are_carried_through)
                             "End\nand whatever";
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
-  Attachments attachments, again;
-  read_hex_mesh(write("a.mesh", first), points, hexahedra, attachments);
-  EXPECT_EQ(attachments.other_sections, other);
-  EXPECT_EQ(attachments.hexahedron_labels, std::vector<std::int64_t>{-4});
-  ASSERT_EQ(attachments.other_cells.size(), 4u);
-  const auto quads = attachments.labelled_quadrilaterals();
+  Mesh_data mesh_data, again;
+  read_hex_mesh(write("a.mesh", first), points, hexahedra, mesh_data);
+  EXPECT_EQ(mesh_data.other_sections, other);
+  EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{-4});
+  ASSERT_EQ(mesh_data.other_cells.size(), 4u);
+  const auto quads = mesh_data.labelled_quadrilaterals();
   ASSERT_EQ(quads.size(), 2u);
   EXPECT_EQ(quads[0].vertices, (std::array<std::size_t, 4>{{0, 1, 2, 3}}));
   EXPECT_EQ(quads[0].label, -5);
-  attachments.vertex_labels[3] = 1234567890123;
+  mesh_data.vertex_labels[3] = 1234567890123;
 
-  write_hex_mesh(path("b.mesh"), points, hexahedra, attachments);
+  write_hex_mesh(path("b.mesh"), points, hexahedra, mesh_data);
   EXPECT_NE(content(path("b.mesh"))
               .find("Quadrilaterals\n2\n1 2 3 4 -5\n5 6 7 8 0\nTriangles\n1\n1 2 3 7\nEdges\n1\n"
                     "1 2 3\n" +
                     other),
             std::string::npos);
   read_hex_mesh(path("b.mesh"), points, hexahedra, again);
-  EXPECT_EQ(again.other_sections, attachments.other_sections);
-  EXPECT_EQ(again.vertex_labels, attachments.vertex_labels);
-  EXPECT_EQ(again.hexahedron_labels, attachments.hexahedron_labels);
+  EXPECT_EQ(again.other_sections, mesh_data.other_sections);
+  EXPECT_EQ(again.vertex_labels, mesh_data.vertex_labels);
+  EXPECT_EQ(again.hexahedron_labels, mesh_data.hexahedron_labels);
   EXPECT_EQ(again.other_cells.size(), 4u);
 
-  attachments.vertex_labels.pop_back();
-  EXPECT_THROW(write_hex_mesh(path("c.mesh"), points, hexahedra, attachments), CGAL::IO::Hex_mesh_file_error);
+  mesh_data.vertex_labels.pop_back();
+  EXPECT_THROW(write_hex_mesh(path("c.mesh"), points, hexahedra, mesh_data), CGAL::IO::Hex_mesh_file_error);
   EXPECT_FALSE(std::filesystem::exists(path("c.mesh")));
-  attachments.vertex_labels.clear();
-  attachments.other_cells[0].vertices[1] = 8;
+  mesh_data.vertex_labels.clear();
+  mesh_data.other_cells[0].vertices[1] = 8;
   for (const char* name : {"c.mesh", "c.vtk", "c.vtu"})
-    EXPECT_THROW(write_hex_mesh(path(name), points, hexahedra, attachments), CGAL::IO::Hex_mesh_file_error);
+    EXPECT_THROW(write_hex_mesh(path(name), points, hexahedra, mesh_data), CGAL::IO::Hex_mesh_file_error);
 }
 
 TEST_F(Medit, in_other_layouts)

@@ -140,27 +140,27 @@ TEST_F(Vtk, attributes_come_back)
     "COLOR_SCALARS c 3\n0 0.5 1\n1 1 0\n";
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
-  Attachments attachments;
-  read_hex_mesh(write("a.vtk", text), points, hexahedra, attachments);
-  EXPECT_TRUE(attachments.left_out.empty()) << attachments.left_out[0];
-  EXPECT_EQ(attachments.hexahedron_labels, std::vector<std::int64_t>{-1});
-  EXPECT_EQ(attachments.other_cells.at(0).label, 7);
-  write_hex_mesh(path("b.vtk"), points, hexahedra, attachments);
+  Mesh_data mesh_data;
+  read_hex_mesh(write("a.vtk", text), points, hexahedra, mesh_data);
+  EXPECT_TRUE(mesh_data.left_out.empty()) << mesh_data.left_out[0];
+  EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{-1});
+  EXPECT_EQ(mesh_data.other_cells.at(0).label, 7);
+  write_hex_mesh(path("b.vtk"), points, hexahedra, mesh_data);
   EXPECT_EQ(content(path("b.vtk")), text);
 
   // in binary and back, in XML and back
-  Attachments again;
-  write_hex_mesh(path("c.vtk"), points, hexahedra, attachments, true);
+  Mesh_data again;
+  write_hex_mesh(path("c.vtk"), points, hexahedra, mesh_data, true);
   read_hex_mesh(path("c.vtk"), points, hexahedra, again);
   EXPECT_TRUE(again.left_out.empty()) << again.left_out[0];
-  ASSERT_EQ(again.point_data.size(), attachments.point_data.size());
+  ASSERT_EQ(again.point_data.size(), mesh_data.point_data.size());
   EXPECT_EQ(again.point_data[4].metadata, "COMPONENT_NAMES\nfirst\nsecond\n");
   EXPECT_EQ(again.cell_data.back().values, Array::Values(std::vector<std::uint8_t>{0, 128, 255, 255, 255, 0}));
-  write_hex_mesh(path("d.vtu"), points, hexahedra, attachments);
+  write_hex_mesh(path("d.vtu"), points, hexahedra, mesh_data);
   read_hex_mesh(path("d.vtu"), points, hexahedra, again);
-  for (std::size_t i = 0; i < attachments.cell_data.size(); ++i) {
-    EXPECT_EQ(again.cell_data.at(i).name, attachments.cell_data[i].name);
-    EXPECT_EQ(again.cell_data[i].values, attachments.cell_data[i].values);
+  for (std::size_t i = 0; i < mesh_data.cell_data.size(); ++i) {
+    EXPECT_EQ(again.cell_data.at(i).name, mesh_data.cell_data[i].name);
+    EXPECT_EQ(again.cell_data[i].values, mesh_data.cell_data[i].values);
   }
 }
 
@@ -168,15 +168,15 @@ TEST_F(Vtk, layouts_that_others_write)
 {
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
-  Attachments attachments;
+  Mesh_data mesh_data;
   const std::string mesh = vtk_header + vtk_points + vtk_cells + "CELL_TYPES 1\n12\n";
-  read_hex_mesh(write("a.vtk", mesh + "CELL_DATA 1\nSCALARS region int 1\n3\n"), points, hexahedra, attachments);
-  EXPECT_EQ(attachments.hexahedron_labels, std::vector<std::int64_t>{3}) << "without a lookup table";
+  read_hex_mesh(write("a.vtk", mesh + "CELL_DATA 1\nSCALARS region int 1\n3\n"), points, hexahedra, mesh_data);
+  EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{3}) << "without a lookup table";
   read_hex_mesh(write("a.vtk", mesh + "CELL_DATA 1\nSCALARS REGION int 1\nlookup_table default\n3.0"), points,
-                hexahedra, attachments);
-  EXPECT_EQ(attachments.hexahedron_labels, std::vector<std::int64_t>{3}) << "written as 3.0";
-  read_hex_mesh(write("a.vtk", mesh + "CELL_DATA 1\nPOINT_DATA 8\n"), points, hexahedra, attachments);
-  EXPECT_TRUE(attachments.left_out.empty() && attachments.cell_data.empty() && attachments.point_data.empty());
+                hexahedra, mesh_data);
+  EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{3}) << "written as 3.0";
+  read_hex_mesh(write("a.vtk", mesh + "CELL_DATA 1\nPOINT_DATA 8\n"), points, hexahedra, mesh_data);
+  EXPECT_TRUE(mesh_data.left_out.empty() && mesh_data.cell_data.empty() && mesh_data.point_data.empty());
 }
 
 // The mesh is there all the same, and what is not is named.
@@ -199,13 +199,13 @@ TEST_F(Vtk, damaged_data_are_named)
     SCOPED_TRACE(text);
     std::vector<Simple::Point_3> points;
     std::vector<Cell> hexahedra;
-    Attachments attachments;
-    read_hex_mesh(write("a.vtk", mesh + good + text), points, hexahedra, attachments);
+    Mesh_data mesh_data;
+    read_hex_mesh(write("a.vtk", mesh + good + text), points, hexahedra, mesh_data);
     EXPECT_EQ(hexahedra.size(), 1u);
-    ASSERT_EQ(attachments.left_out.size(), 1u);
-    EXPECT_NE(attachments.left_out[0].find(words), std::string::npos) << attachments.left_out[0];
-    ASSERT_EQ(attachments.cell_data.size(), 1u);
-    EXPECT_EQ(attachments.cell_data[0].name, "a");
+    ASSERT_EQ(mesh_data.left_out.size(), 1u);
+    EXPECT_NE(mesh_data.left_out[0].find(words), std::string::npos) << mesh_data.left_out[0];
+    ASSERT_EQ(mesh_data.cell_data.size(), 1u);
+    EXPECT_EQ(mesh_data.cell_data[0].name, "a");
   }
 }
 
@@ -230,20 +230,20 @@ TEST_F(Vtk, structured_grids_are_hexahedral_meshes)
     SCOPED_TRACE(grid);
     std::vector<Simple::Point_3> points, again;
     std::vector<Cell> hexahedra, hexahedra_again;
-    Attachments attachments;
-    read_hex_mesh(write("a.vtk", header + grid + data), points, hexahedra, attachments);
+    Mesh_data mesh_data;
+    read_hex_mesh(write("a.vtk", header + grid + data), points, hexahedra, mesh_data);
     ASSERT_EQ(points.size(), 24u);
     ASSERT_EQ(hexahedra.size(), 6u);
     EXPECT_EQ(hexahedra[4], (Cell{{5, 6, 10, 9, 17, 18, 22, 21}}));
     EXPECT_EQ(points[17], Simple::Point_3(1.5, 4, 3));
-    EXPECT_EQ(attachments.hexahedron_labels, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6}));
-    ASSERT_EQ(attachments.left_out.size(), 1u);
-    EXPECT_NE(attachments.left_out[0].find("4 x 3 x 2"), std::string::npos);
-    write_hex_mesh(path("b.vtk"), points, hexahedra, attachments);
-    read_hex_mesh(path("b.vtk"), again, hexahedra_again, attachments);
+    EXPECT_EQ(mesh_data.hexahedron_labels, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6}));
+    ASSERT_EQ(mesh_data.left_out.size(), 1u);
+    EXPECT_NE(mesh_data.left_out[0].find("4 x 3 x 2"), std::string::npos);
+    write_hex_mesh(path("b.vtk"), points, hexahedra, mesh_data);
+    read_hex_mesh(path("b.vtk"), again, hexahedra_again, mesh_data);
     EXPECT_EQ(again, points);
     EXPECT_EQ(hexahedra_again, hexahedra);
-    EXPECT_EQ(attachments.hexahedron_labels.size(), 6u);
+    EXPECT_EQ(mesh_data.hexahedron_labels.size(), 6u);
   }
 }
 

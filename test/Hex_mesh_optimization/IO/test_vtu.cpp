@@ -154,13 +154,13 @@ TEST_F(Vtu, data_come_back)
     "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
-  Attachments attachments;
-  read_hex_mesh(write("a.vtu", text), points, hexahedra, attachments);
-  EXPECT_TRUE(attachments.left_out.empty()) << attachments.left_out[0];
-  EXPECT_EQ(attachments.hexahedron_labels, std::vector<std::int64_t>{-1});
-  EXPECT_EQ(attachments.other_cells.at(0).label, 7);
-  EXPECT_EQ(attachments.field_data.at(1).values, Array::Values(std::vector<std::string>{"Hi", ""}));
-  write_hex_mesh(path("b.vtu"), points, hexahedra, attachments);
+  Mesh_data mesh_data;
+  read_hex_mesh(write("a.vtu", text), points, hexahedra, mesh_data);
+  EXPECT_TRUE(mesh_data.left_out.empty()) << mesh_data.left_out[0];
+  EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{-1});
+  EXPECT_EQ(mesh_data.other_cells.at(0).label, 7);
+  EXPECT_EQ(mesh_data.field_data.at(1).values, Array::Values(std::vector<std::string>{"Hi", ""}));
+  write_hex_mesh(path("b.vtu"), points, hexahedra, mesh_data);
   EXPECT_EQ(content(path("b.vtu")), text);
 }
 
@@ -188,18 +188,18 @@ TEST_F(Vtu, pieces_are_joined)
   };
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
-  Attachments attachments;
-  read_hex_mesh(with_data(data("Int8", "1 2 3 4 5 6 7 8"), data("Int8", "9 10 11 12")), points, hexahedra, attachments);
+  Mesh_data mesh_data;
+  read_hex_mesh(with_data(data("Int8", "1 2 3 4 5 6 7 8"), data("Int8", "9 10 11 12")), points, hexahedra, mesh_data);
   EXPECT_EQ(points.size(), 12u);
-  ASSERT_EQ(attachments.point_data.size(), 1u);
-  EXPECT_EQ(attachments.point_data[0].values,
+  ASSERT_EQ(mesh_data.point_data.size(), 1u);
+  EXPECT_EQ(mesh_data.point_data[0].values,
             Array::Values(std::vector<std::int8_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
 
   for (const std::string& other : {data("Int16", "9 10 11 12"), data("Int8", "9 10 11"), std::string()}) {
-    read_hex_mesh(with_data(data("Int8", "1 2 3 4 5 6 7 8"), other), points, hexahedra, attachments);
-    EXPECT_TRUE(attachments.point_data.empty());
+    read_hex_mesh(with_data(data("Int8", "1 2 3 4 5 6 7 8"), other), points, hexahedra, mesh_data);
+    EXPECT_TRUE(mesh_data.point_data.empty());
     bool is_named = false;
-    for (const std::string& line : attachments.left_out)
+    for (const std::string& line : mesh_data.left_out)
       is_named = is_named || line.find("\"p\"") != std::string::npos;
     EXPECT_TRUE(is_named) << other;
   }
@@ -211,21 +211,21 @@ TEST_F(Vtu, damaged_data_are_named)
   const std::string text = vtu("", ascii + cube_points, ascii + "0 1 2 3 4 5 6 7", ascii + "8", ascii + "12");
   std::vector<Simple::Point_3> points;
   std::vector<Cell> hexahedra;
-  Attachments attachments;
-  read_hex_mesh(write("a.vtu", text), points, hexahedra, attachments);
+  Mesh_data mesh_data;
+  read_hex_mesh(write("a.vtu", text), points, hexahedra, mesh_data);
   EXPECT_EQ(hexahedra.size(), 1u);
-  ASSERT_EQ(attachments.left_out.size(), 2u);
-  EXPECT_NE(attachments.left_out[0].find("\"p\" are incomplete"), std::string::npos) << attachments.left_out[0];
-  EXPECT_NE(attachments.left_out[1].find("a string of \"a\" has no end"), std::string::npos) << attachments.left_out[1];
-  EXPECT_TRUE(attachments.point_data.empty() && attachments.field_data.empty());
+  ASSERT_EQ(mesh_data.left_out.size(), 2u);
+  EXPECT_NE(mesh_data.left_out[0].find("\"p\" are incomplete"), std::string::npos) << mesh_data.left_out[0];
+  EXPECT_NE(mesh_data.left_out[1].find("a string of \"a\" has no end"), std::string::npos) << mesh_data.left_out[1];
+  EXPECT_TRUE(mesh_data.point_data.empty() && mesh_data.field_data.empty());
 
   std::string key = text;
   key.replace(key.find("nan<"), 3,
               "1 2 3 4 5 6 7 8<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">m"
               "</InformationKey><InformationKey name=\"L2_NORM_RANGE\"></InformationKey>");
-  read_hex_mesh(write("a.vtu", key), points, hexahedra, attachments);
-  EXPECT_EQ(attachments.point_data.size(), 1u);
-  EXPECT_EQ(attachments.left_out.at(0), "the information key \"UNITS_LABEL\" of the array \"p\" of the points");
+  read_hex_mesh(write("a.vtu", key), points, hexahedra, mesh_data);
+  EXPECT_EQ(mesh_data.point_data.size(), 1u);
+  EXPECT_EQ(mesh_data.left_out.at(0), "the information key \"UNITS_LABEL\" of the array \"p\" of the points");
 }
 
 } // namespace

@@ -62,9 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   Points points(1, Point(7, 8, 9));
   Hexahedra hexahedra(2);
-  CGAL::IO::Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_data mesh_data;
   try {
-    CGAL::IO::read_hex_mesh((*input_file)(data, size), points, hexahedra, attachments);
+    CGAL::IO::read_hex_mesh((*input_file)(data, size), points, hexahedra, mesh_data);
   }
   catch (const CGAL::IO::Hex_mesh_file_error&) {
     fuzz::require(points.size() == 1 && hexahedra.size() == 2, "what is refused changes nothing");
@@ -79,23 +79,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   Points points_back;
   Hexahedra hexahedra_back;
-  CGAL::IO::Hex_mesh_attachments attachments_back;
+  CGAL::IO::Hex_mesh_data mesh_data_back;
   const std::string output = input_file->name("output");
-  CGAL::IO::write_hex_mesh(output, points, hexahedra, attachments);
-  CGAL::IO::read_hex_mesh(output, points_back, hexahedra_back, attachments_back);
+  CGAL::IO::write_hex_mesh(output, points, hexahedra, mesh_data);
+  CGAL::IO::read_hex_mesh(output, points_back, hexahedra_back, mesh_data_back);
   fuzz::require(same_points(points, points_back), "the points come back");
   fuzz::require(hexahedra == hexahedra_back, "the hexahedra come back");
-  fuzz::require(attachments.hexahedron_labels == attachments_back.hexahedron_labels, "the labels come back");
-  fuzz::require(attachments_back.left_out.empty(), "what is written can be read");
-  fuzz::require(are_same(attachments.point_data, attachments_back.point_data) &&
-                  are_same(attachments.cell_data, attachments_back.cell_data) &&
-                  are_same(attachments.field_data, attachments_back.field_data),
+  fuzz::require(mesh_data.hexahedron_labels == mesh_data_back.hexahedron_labels, "the labels come back");
+  fuzz::require(mesh_data_back.left_out.empty(), "what is written can be read");
+  fuzz::require(are_same(mesh_data.point_data, mesh_data_back.point_data) &&
+                  are_same(mesh_data.cell_data, mesh_data_back.cell_data) &&
+                  are_same(mesh_data.field_data, mesh_data_back.field_data),
                 "the data come back");
-  fuzz::require(std::equal(attachments.other_cells.begin(), attachments.other_cells.end(),
-                           attachments_back.other_cells.begin(), attachments_back.other_cells.end(),
+  fuzz::require(std::equal(mesh_data.other_cells.begin(), mesh_data.other_cells.end(),
+                           mesh_data_back.other_cells.begin(), mesh_data_back.other_cells.end(),
                            [](const auto& a, const auto& b) { return a.vertices.size() == b.vertices.size(); }) ||
                   input_file->name("output").find(".mesh") != std::string::npos, // there they are sorted by their kinds
                 "the other cells come back");
-  fuzz::require(attachments.other_cells.size() == attachments_back.other_cells.size(), "all other cells come back");
+  fuzz::require(mesh_data.other_cells.size() == mesh_data_back.other_cells.size(), "all other cells come back");
   return 0;
 }

@@ -15,7 +15,7 @@
 // What a file of a solver has, and where its coordinates stand: all that is
 // needed to write it again with points that have moved.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 
 #include <array>
 #include <cstddef>

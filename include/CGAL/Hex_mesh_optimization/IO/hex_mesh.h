@@ -15,12 +15,12 @@
 // Reads and writes hexahedral meshes, as indices or as a linear cell complex,
 // in the format that the extension of the file name tells.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh_copy.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Solver_output.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
-#include <CGAL/Hex_mesh_optimization/IO/lost_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/unsupported_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/medit.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtk.h>
 #include <CGAL/Hex_mesh_optimization/IO/vtu.h>
@@ -64,7 +64,7 @@ inline bool is_output_format(const std::string& filename)
 
 template <class PointRange, class HexahedronRange>
 void write_for_solver(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
-                      const CGAL::IO::Hex_mesh_attachments& attachments)
+                      const CGAL::IO::Hex_mesh_data& mesh_data)
 {
   std::vector<std::array<double, 3>> coordinates_of;
   for (const auto& p : points)
@@ -75,10 +75,10 @@ void write_for_solver(const std::string& filename, const PointRange& points, con
     for (std::size_t c = 0; c < 8; ++c)
       corners.back()[c] = static_cast<std::size_t>(h[c]);
   }
-  if (!attachments.hexahedron_labels.empty() && attachments.hexahedron_labels.size() != corners.size())
+  if (!mesh_data.hexahedron_labels.empty() && mesh_data.hexahedron_labels.size() != corners.size())
     throw CGAL::IO::Hex_mesh_file_error(filename, 0, "there is not one label for each hexahedron");
-  const Solver_output output(std::move(coordinates_of), std::move(corners), attachments.hexahedron_labels,
-                             attachments.labelled_quadrilaterals());
+  const Solver_output output(std::move(coordinates_of), std::move(corners), mesh_data.hexahedron_labels,
+                             mesh_data.labelled_quadrilaterals());
   const std::string extension = extension_of(filename);
   if (extension == "inp")
     write_abaqus(filename, output);
@@ -98,14 +98,14 @@ void write_for_solver(const std::string& filename, const PointRange& points, con
 
 template <class PointRange, class HexahedronRange>
 void read_solver_file(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
-                      CGAL::IO::Hex_mesh_attachments& attachments)
+                      CGAL::IO::Hex_mesh_data& mesh_data)
 {
   const CGAL::IO::Hex_mesh_file file = CGAL::IO::read_hex_mesh_file(filename);
   Mesh_file_content content;
   content.points = file.points;
   content.hexahedra = file.hexahedra;
   copy_hex_mesh(content, points, hexahedra);
-  attachments = attachments_of(file);
+  mesh_data = mesh_data_of(file);
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal::IO
@@ -127,38 +127,38 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points all points of the file in its order, replaced
  * \param hexahedra the hexahedra of the file in its order, replaced
- * \param attachments what else is in the file, replaced
+ * \param mesh_data what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error naming the line if the file cannot be read; the parameters are unchanged then
  */
 template <class PointRange, class HexahedronRange,
           Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
-                   Hex_mesh_attachments& attachments)
+                   Hex_mesh_data& mesh_data)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   const std::string extension = io::extension_of(filename);
   if (extension == "mesh")
-    return read_medit_hex_mesh(filename, points, hexahedra, attachments);
+    return read_medit_hex_mesh(filename, points, hexahedra, mesh_data);
   if (extension == "vtk")
-    return read_vtk_hex_mesh(filename, points, hexahedra, attachments);
+    return read_vtk_hex_mesh(filename, points, hexahedra, mesh_data);
   if (extension == "vtu")
-    return read_vtu_hex_mesh(filename, points, hexahedra, attachments);
+    return read_vtu_hex_mesh(filename, points, hexahedra, mesh_data);
   if (is_hex_mesh_file(filename))
-    return io::read_solver_file(filename, points, hexahedra, attachments);
+    return io::read_solver_file(filename, points, hexahedra, mesh_data);
   io::refuse_input(filename);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * reads a hexahedral mesh as above, without attachments.
+ * reads a hexahedral mesh as above, without mesh_data.
  */
 template <class PointRange, class HexahedronRange,
           Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
 {
-  Hex_mesh_attachments ignored;
+  Hex_mesh_data ignored;
   read_hex_mesh(filename, points, hexahedra, ignored);
 }
 
@@ -173,18 +173,18 @@ void read_hex_mesh(const std::string& filename, PointRange& points, HexahedronRa
  *
  * \param filename the name of the file
  * \param lcc the linear cell complex, cleared first
- * \param attachments what else is in the file, replaced
+ * \param mesh_data what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error if the file cannot be read, or if a linear cell complex cannot carry
  *         the mesh, naming the hexahedron. `lcc` is unchanged then.
  */
 template <class LCC, Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
-void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& attachments)
+void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_data& mesh_data)
 {
   std::vector<typename LCC::Point> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
-  Hex_mesh_attachments read_attachments;
-  read_hex_mesh(filename, points, hexahedra, read_attachments);
+  Hex_mesh_data read_mesh_data;
+  read_hex_mesh(filename, points, hexahedra, read_mesh_data);
   try {
     // Everything that can go wrong does so here.
     const Hex_mesh_optimization::internal::Hexahedra_sewing sewing(points.size(), hexahedra);
@@ -194,18 +194,18 @@ void read_hex_mesh(const std::string& filename, LCC& lcc, Hex_mesh_attachments& 
   catch (const Hex_mesh_optimization::Input_error& error) {
     throw Hex_mesh_file_error(filename, 0, error.message());
   }
-  attachments = std::move(read_attachments);
+  mesh_data = std::move(read_mesh_data);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * reads a hexahedral mesh into a linear cell complex as above, without attachments.
+ * reads a hexahedral mesh into a linear cell complex as above, without mesh_data.
  */
 template <class LCC, Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
 void read_hex_mesh(const std::string& filename, LCC& lcc)
 {
-  Hex_mesh_attachments ignored;
+  Hex_mesh_data ignored;
   read_hex_mesh(filename, lcc, ignored);
 }
 
@@ -216,7 +216,7 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
  * `.mesh` (`write_medit_hex_mesh()`), `.vtk` (`write_vtk_hex_mesh()`) or `.vtu` (`write_vtu_hex_mesh()`); `.inp`
  * (Abaqus, CalculiX), `.msh` (Gmsh 4.1) or `.e`, `.exo`, `.g`, `.ex2` (Exodus II), where each label of hexahedra is a
  * block, each label other than 0 of quadrilaterals a set of faces, hexahedra of Exodus are ordered by their blocks, and
- * the rest of the attachments is lost.
+ * the rest of the mesh_data is lost.
  *
  * Reading the file gives back the same points, bit by bit, and the same hexahedra in the same order. The file appears
  * complete or not at all.
@@ -229,34 +229,34 @@ void read_hex_mesh(const std::string& filename, LCC& lcc)
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write, as far as the format can hold it: see `lost_attachments()`
+ * \param mesh_data what else to write, as far as the format can hold it: see `unsupported_data()`
  * \param np optional \ref bgl_namedparameters "Named Parameters" described below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether the numbers of a `.vtk` or `.vtu` file are written in binary form}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`attachments.is_binary`}
+ *     \cgalParamDefault{`mesh_data.is_binary`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Hex_mesh_file_error if the file cannot be written, or if the attachments do not fit to the mesh
+ * \throws Hex_mesh_file_error if the file cannot be written, or if the mesh_data do not fit to the mesh
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
           Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
-                    const Hex_mesh_attachments& attachments, const NamedParameters& np = parameters::default_values())
+                    const Hex_mesh_data& mesh_data, const NamedParameters& np = parameters::default_values())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   const std::string extension = io::extension_of(filename);
   if (extension == "mesh")
-    write_medit_hex_mesh(filename, points, hexahedra, attachments);
+    write_medit_hex_mesh(filename, points, hexahedra, mesh_data);
   else if (extension == "vtk")
-    write_vtk_hex_mesh(filename, points, hexahedra, attachments, np);
+    write_vtk_hex_mesh(filename, points, hexahedra, mesh_data, np);
   else if (extension == "vtu")
-    write_vtu_hex_mesh(filename, points, hexahedra, attachments, np);
+    write_vtu_hex_mesh(filename, points, hexahedra, mesh_data, np);
   else if (io::is_output_format(filename))
-    io::write_for_solver(filename, points, hexahedra, attachments);
+    io::write_for_solver(filename, points, hexahedra, mesh_data);
   else
     io::refuse_extension(filename);
 }
@@ -264,14 +264,14 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * writes a hexahedral mesh as above, without attachments.
+ * writes a hexahedral mesh as above, without mesh_data.
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters,
           Hex_mesh_optimization::internal::IO::No_linear_cell_complex<PointRange> = 0>
 void write_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
                     const NamedParameters& np = parameters::default_values())
 {
-  write_hex_mesh(filename, points, hexahedra, Hex_mesh_attachments(), np);
+  write_hex_mesh(filename, points, hexahedra, Hex_mesh_data(), np);
 }
 
 /*!
@@ -287,26 +287,26 @@ void write_hex_mesh(const std::string& filename, const PointRange& points, const
  */
 template <class LCC, class NamedParameters = parameters::Default_named_parameters,
           Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
-void write_hex_mesh(const std::string& filename, const LCC& lcc, const Hex_mesh_attachments& attachments,
+void write_hex_mesh(const std::string& filename, const LCC& lcc, const Hex_mesh_data& mesh_data,
                     const NamedParameters& np = parameters::default_values())
 {
   std::vector<typename LCC::Point> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
   Hex_mesh_optimization::linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
-  write_hex_mesh(filename, points, hexahedra, attachments, np);
+  write_hex_mesh(filename, points, hexahedra, mesh_data, np);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * writes a linear cell complex of hexahedra as above, without attachments.
+ * writes a linear cell complex of hexahedra as above, without mesh_data.
  */
 template <class LCC, class NamedParameters = parameters::Default_named_parameters,
           Hex_mesh_optimization::internal::IO::Linear_cell_complex_only<LCC> = 0>
 void write_hex_mesh(const std::string& filename, const LCC& lcc,
                     const NamedParameters& np = parameters::default_values())
 {
-  write_hex_mesh(filename, lcc, Hex_mesh_attachments(), np);
+  write_hex_mesh(filename, lcc, Hex_mesh_data(), np);
 }
 
 } // namespace CGAL::IO

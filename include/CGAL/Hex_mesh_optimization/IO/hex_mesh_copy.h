@@ -82,9 +82,9 @@ inline bool is_abaqus(std::string_view text)
 }
 
 // What of a file is left out where it is written in a format of another kind.
-inline CGAL::IO::Hex_mesh_attachments attachments_of(const CGAL::IO::Hex_mesh_file& file)
+inline CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file)
 {
-  CGAL::IO::Hex_mesh_attachments result;
+  CGAL::IO::Hex_mesh_data result;
   result.other_cells = file.other_cells;
   for (std::int64_t label : file.labels)
     if (label != 0) {

@@ -14,7 +14,7 @@
 
 // Reads and writes hexahedral meshes in the Medit format (.mesh, text).
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Medit_reader.h>
@@ -38,7 +38,7 @@ namespace CGAL::IO {
  * reads a hexahedral mesh from a Medit file (`.mesh`, text).
  *
  * The order of the sections is free. All vertices are read, also those no hexahedron refers to. All other sections are
- * kept in `attachments`: `Edges`, `Triangles` and `Quadrilaterals` as cells, the rest verbatim.
+ * kept in `mesh_data`: `Edges`, `Triangles` and `Quadrilaterals` as cells, the rest verbatim.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -48,7 +48,7 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points the points, replaced
  * \param hexahedra the hexahedra, replaced
- * \param attachments what else is in the file, replaced
+ * \param mesh_data what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error naming the line if the file cannot be read, is malformed or truncated, has a coordinate
  *         that is not finite, an index out of range, or a cell that is not a hexahedron. The parameters
@@ -58,10 +58,10 @@ namespace CGAL::IO {
  */
 template <class PointRange, class HexahedronRange>
 void read_medit_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
-                         Hex_mesh_attachments& attachments)
+                         Hex_mesh_data& mesh_data)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::read_hex_mesh_with<io::Medit_reader>(filename, points, hexahedra, attachments);
+  io::read_hex_mesh_with<io::Medit_reader>(filename, points, hexahedra, mesh_data);
 }
 
 /*!
@@ -79,7 +79,7 @@ void read_medit_hex_mesh(const std::string& filename, PointRange& points, Hexahe
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write: labels, lines, triangles, quadrilaterals, and `other_sections`, which must be
+ * \param mesh_data what else to write: labels, lines, triangles, quadrilaterals, and `other_sections`, which must be
  *        a sequence of sections in the Medit format
  *
  * \throws Hex_mesh_file_error if the file cannot be written, if there are labels but not one per element, or if a cell
@@ -87,13 +87,13 @@ void read_medit_hex_mesh(const std::string& filename, PointRange& points, Hexahe
  */
 template <class PointRange, class HexahedronRange>
 void write_medit_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
-                          const Hex_mesh_attachments& attachments = Hex_mesh_attachments())
+                          const Hex_mesh_data& mesh_data = Hex_mesh_data())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   const auto fits = [](const std::vector<std::int64_t>& labels, std::size_t size) {
     return labels.empty() || labels.size() == size;
   };
-  if (!fits(attachments.vertex_labels, points.size()) || !fits(attachments.hexahedron_labels, hexahedra.size()))
+  if (!fits(mesh_data.vertex_labels, points.size()) || !fits(mesh_data.hexahedron_labels, hexahedra.size()))
     throw Hex_mesh_file_error(filename, 0, "the number of labels is not the number of elements");
 
   io::Atomic_file file(filename);
@@ -110,7 +110,7 @@ void write_medit_hex_mesh(const std::string& filename, const PointRange& points,
       io::append_number(text, x);
       text += ' ';
     }
-    append_label(attachments.vertex_labels, i++);
+    append_label(mesh_data.vertex_labels, i++);
     file.write_if_large();
   }
   text += "Hexahedra\n" + std::to_string(hexahedra.size()) + "\n";
@@ -120,18 +120,18 @@ void write_medit_hex_mesh(const std::string& filename, const PointRange& points,
       io::append_number(text, static_cast<std::size_t>(v) + 1);
       text += ' ';
     }
-    append_label(attachments.hexahedron_labels, i++);
+    append_label(mesh_data.hexahedron_labels, i++);
     file.write_if_large();
   }
   for (const auto& [name, size] :
        {std::pair<const char*, std::size_t>("Quadrilaterals", 4), {"Triangles", 3}, {"Edges", 2}}) {
     std::size_t count = 0;
-    for (const Hex_mesh_cell& cell : attachments.other_cells)
+    for (const Hex_mesh_cell& cell : mesh_data.other_cells)
       count += io::medit_corners(cell).size() == size;
     if (count == 0)
       continue;
     text += std::string(name) + "\n" + std::to_string(count) + "\n";
-    for (const Hex_mesh_cell& cell : attachments.other_cells) {
+    for (const Hex_mesh_cell& cell : mesh_data.other_cells) {
       const std::vector<std::size_t> corners = io::medit_corners(cell);
       if (corners.size() != size)
         continue;
@@ -146,8 +146,8 @@ void write_medit_hex_mesh(const std::string& filename, const PointRange& points,
       file.write_if_large();
     }
   }
-  text += attachments.other_sections;
-  if (!attachments.other_sections.empty() && attachments.other_sections.back() != '\n')
+  text += mesh_data.other_sections;
+  if (!mesh_data.other_sections.empty() && mesh_data.other_sections.back() != '\n')
     text += '\n';
   text += "End\n";
   file.commit();

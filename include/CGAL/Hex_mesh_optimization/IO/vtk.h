@@ -14,7 +14,7 @@
 
 // Reads and writes hexahedral meshes in the legacy format of VTK (.vtk, text and binary).
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
@@ -47,8 +47,8 @@ namespace CGAL::IO {
  *
  * The dataset must be a grid, unstructured, structured, rectilinear or of structured points. All points are read, also
  * those no hexahedron refers to. Voxels are read as hexahedra. Cells of dimension two and less, and data on points,
- * cells and the mesh as a whole, go to `attachments`; data that are damaged or of an unknown kind are named in
- * `Hex_mesh_attachments::left_out`.
+ * cells and the mesh as a whole, go to `mesh_data`; data that are damaged or of an unknown kind are named in
+ * `Hex_mesh_data::left_out`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -58,7 +58,7 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points the points, replaced
  * \param hexahedra the hexahedra, replaced
- * \param attachments what else is in the file, replaced
+ * \param mesh_data what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error naming the line (not in a binary file) if the file cannot be read, is malformed or
  *         truncated, has a coordinate that is not finite, an index out of range, or a cell of dimension three that is
@@ -68,21 +68,21 @@ namespace CGAL::IO {
  */
 template <class PointRange, class HexahedronRange>
 void read_vtk_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
-                       Hex_mesh_attachments& attachments)
+                       Hex_mesh_data& mesh_data)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::read_hex_mesh_with<io::Legacy_vtk_reader>(filename, points, hexahedra, attachments);
+  io::read_hex_mesh_with<io::Legacy_vtk_reader>(filename, points, hexahedra, mesh_data);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * reads a hexahedral mesh as above, without attachments.
+ * reads a hexahedral mesh as above, without mesh_data.
  */
 template <class PointRange, class HexahedronRange>
 void read_vtk_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
 {
-  Hex_mesh_attachments ignored;
+  Hex_mesh_data ignored;
   read_vtk_hex_mesh(filename, points, hexahedra, ignored);
 }
 
@@ -102,29 +102,28 @@ void read_vtk_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write
+ * \param mesh_data what else to write
  * \param np optional \ref bgl_namedparameters "Named Parameters" described below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether the numbers are written in binary form}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`attachments.is_binary`}
+ *     \cgalParamDefault{`mesh_data.is_binary`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Hex_mesh_file_error if the file cannot be written, or if the attachments do not fit to the mesh: labels or
+ * \throws Hex_mesh_file_error if the file cannot be written, or if the mesh_data do not fit to the mesh: labels or
  *         tuples of an array that are not one per element, or a cell that refers to a point that does not exist
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
 void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
-                        const Hex_mesh_attachments& attachments,
-                        const NamedParameters& np = parameters::default_values())
+                        const Hex_mesh_data& mesh_data, const NamedParameters& np = parameters::default_values())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode),
-                                                   attachments.is_binary);
-  const io::Arrays_to_write arrays(filename, points.size(), hexahedra.size(), attachments);
+                                                   mesh_data.is_binary);
+  const io::Arrays_to_write arrays(filename, points.size(), hexahedra.size(), mesh_data);
   io::Atomic_file file(filename);
   std::string& text = file.text();
   const auto append_integer = [&](std::size_t i, char separator) {
@@ -140,10 +139,10 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
     throw Hex_mesh_file_error(filename, 0, "the mesh has too many points for this format");
 
   io::Legacy_vtk_arrays_output output(file, binary);
-  text = "# vtk DataFile Version 3.0\n" + (attachments.title.empty() ? "hexahedral mesh" : attachments.title) +
+  text = "# vtk DataFile Version 3.0\n" + (mesh_data.title.empty() ? "hexahedral mesh" : mesh_data.title) +
          (binary ? "\nBINARY" : "\nASCII") + "\nDATASET UNSTRUCTURED_GRID\n";
   std::vector<const Hex_mesh_data_array*> field;
-  for (const Hex_mesh_data_array& array : attachments.field_data)
+  for (const Hex_mesh_data_array& array : mesh_data.field_data)
     field.push_back(&array);
   output.write_field(field);
   text += "POINTS " + std::to_string(points.size()) + " double\n";
@@ -160,7 +159,7 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
     file.write_if_large();
   }
   std::size_t number_of_cells = hexahedra.size(), size = 9 * hexahedra.size();
-  for (const Hex_mesh_cell& cell : attachments.other_cells) {
+  for (const Hex_mesh_cell& cell : mesh_data.other_cells) {
     ++number_of_cells;
     size += 1 + cell.vertices.size();
   }
@@ -175,7 +174,7 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
     file.write_if_large();
   };
   io::for_each_cell(
-    hexahedra.size(), attachments, [&](std::size_t h) { append_cell(8, *(std::begin(hexahedra) + h)); },
+    hexahedra.size(), mesh_data, [&](std::size_t h) { append_cell(8, *(std::begin(hexahedra) + h)); },
     [&](const Hex_mesh_cell& cell) { append_cell(cell.vertices.size(), cell.vertices); });
   text += (binary ? "\nCELL_TYPES " : "CELL_TYPES ") + std::to_string(number_of_cells) + "\n";
   const auto append_type = [&](int type) {
@@ -183,7 +182,7 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
     file.write_if_large();
   };
   io::for_each_cell(
-    hexahedra.size(), attachments, [&](std::size_t) { append_type(12); },
+    hexahedra.size(), mesh_data, [&](std::size_t) { append_type(12); },
     [&](const Hex_mesh_cell& cell) { append_type(cell.type); });
   if (binary)
     text += '\n';
@@ -195,13 +194,13 @@ void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, c
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * writes a hexahedral mesh as above, without attachments.
+ * writes a hexahedral mesh as above, without mesh_data.
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
 void write_vtk_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
                         const NamedParameters& np = parameters::default_values())
 {
-  write_vtk_hex_mesh(filename, points, hexahedra, Hex_mesh_attachments(), np);
+  write_vtk_hex_mesh(filename, points, hexahedra, Hex_mesh_data(), np);
 }
 
 } // namespace CGAL::IO

@@ -14,7 +14,7 @@
 
 // Reads and writes hexahedral meshes in the XML format of VTK (.vtu).
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
@@ -43,8 +43,8 @@ namespace CGAL::IO {
  * The numbers may be text, base64, or appended, raw or base64. Arrays compressed with zlib can be read if the macro
  * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one
  * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra. Cells of
- * dimension two and less, and data on points, cells and the mesh as a whole, go to `attachments`; data that are
- * damaged, or that not all pieces have, are named in `Hex_mesh_attachments::left_out`.
+ * dimension two and less, and data on points, cells and the mesh as a whole, go to `mesh_data`; data that are
+ * damaged, or that not all pieces have, are named in `Hex_mesh_data::left_out`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`
@@ -54,7 +54,7 @@ namespace CGAL::IO {
  * \param filename the name of the file
  * \param points the points, replaced
  * \param hexahedra the hexahedra, replaced
- * \param attachments what else is in the file, replaced
+ * \param mesh_data what else is in the file, replaced
  *
  * \throws Hex_mesh_file_error if the file cannot be read, is malformed or truncated, has a coordinate that is not
  *         finite, an index out of range, or a cell of dimension three that is not a hexahedron. The error names
@@ -64,21 +64,21 @@ namespace CGAL::IO {
  */
 template <class PointRange, class HexahedronRange>
 void read_vtu_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
-                       Hex_mesh_attachments& attachments)
+                       Hex_mesh_data& mesh_data)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
-  io::read_hex_mesh_with<io::Vtu_reader>(filename, points, hexahedra, attachments);
+  io::read_hex_mesh_with<io::Vtu_reader>(filename, points, hexahedra, mesh_data);
 }
 
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * reads a hexahedral mesh as above, without attachments.
+ * reads a hexahedral mesh as above, without mesh_data.
  */
 template <class PointRange, class HexahedronRange>
 void read_vtu_hex_mesh(const std::string& filename, PointRange& points, HexahedronRange& hexahedra)
 {
-  Hex_mesh_attachments ignored;
+  Hex_mesh_data ignored;
   read_vtu_hex_mesh(filename, points, hexahedra, ignored);
 }
 
@@ -98,31 +98,30 @@ void read_vtu_hex_mesh(const std::string& filename, PointRange& points, Hexahedr
  * \param filename the name of the file
  * \param points the points
  * \param hexahedra the hexahedra
- * \param attachments what else to write
+ * \param mesh_data what else to write
  * \param np optional \ref bgl_namedparameters "Named Parameters" described below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether the numbers are written in binary form, as base64}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`attachments.is_binary`}
+ *     \cgalParamDefault{`mesh_data.is_binary`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Hex_mesh_file_error if the file cannot be written, or if the attachments do not fit to the mesh: labels or
+ * \throws Hex_mesh_file_error if the file cannot be written, or if the mesh_data do not fit to the mesh: labels or
  *         tuples of an array that are not one per element, or a cell that refers to a point that does not exist
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
 void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
-                        const Hex_mesh_attachments& attachments,
-                        const NamedParameters& np = parameters::default_values())
+                        const Hex_mesh_data& mesh_data, const NamedParameters& np = parameters::default_values())
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   const bool binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode),
-                                                   attachments.is_binary);
-  const io::Arrays_to_write arrays(filename, points.size(), hexahedra.size(), attachments);
+                                                   mesh_data.is_binary);
+  const io::Arrays_to_write arrays(filename, points.size(), hexahedra.size(), mesh_data);
   std::size_t number_of_cells = hexahedra.size(), size = 8 * hexahedra.size();
-  for (const Hex_mesh_cell& cell : attachments.other_cells) {
+  for (const Hex_mesh_cell& cell : mesh_data.other_cells) {
     ++number_of_cells;
     size += cell.vertices.size();
   }
@@ -131,9 +130,9 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
                 "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                 "header_type=\"UInt64\">\n"
                 "<UnstructuredGrid>\n";
-  if (!attachments.field_data.empty()) {
+  if (!mesh_data.field_data.empty()) {
     file.text() += "<FieldData>\n";
-    for (const Hex_mesh_data_array& array : attachments.field_data)
+    for (const Hex_mesh_data_array& array : mesh_data.field_data)
       io::write_vtu_array(file, array, binary, true);
     file.text() += "</FieldData>\n";
   }
@@ -158,18 +157,18 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
       connectivity.append(static_cast<std::int64_t>(v), ++c == number_of_vertices ? '\n' : ' ');
   };
   io::for_each_cell(
-    hexahedra.size(), attachments, [&](std::size_t h) { append_vertices(8, *(std::begin(hexahedra) + h)); },
+    hexahedra.size(), mesh_data, [&](std::size_t h) { append_vertices(8, *(std::begin(hexahedra) + h)); },
     [&](const Hex_mesh_cell& cell) { append_vertices(cell.vertices.size(), cell.vertices); });
   connectivity.close();
   io::Vtu_array<std::int64_t> offsets(file, "Int64", "Name=\"offsets\"", number_of_cells, binary);
   std::size_t end = 0;
   io::for_each_cell(
-    hexahedra.size(), attachments, [&](std::size_t) { offsets.append(static_cast<std::int64_t>(end += 8), '\n'); },
+    hexahedra.size(), mesh_data, [&](std::size_t) { offsets.append(static_cast<std::int64_t>(end += 8), '\n'); },
     [&](const Hex_mesh_cell& cell) { offsets.append(static_cast<std::int64_t>(end += cell.vertices.size()), '\n'); });
   offsets.close();
   io::Vtu_array<std::uint8_t> types(file, "UInt8", "Name=\"types\"", number_of_cells, binary);
   io::for_each_cell(
-    hexahedra.size(), attachments, [&](std::size_t) { types.append(12, '\n'); },
+    hexahedra.size(), mesh_data, [&](std::size_t) { types.append(12, '\n'); },
     [&](const Hex_mesh_cell& cell) { types.append(static_cast<std::uint8_t>(cell.type), '\n'); });
   types.close();
   file.text() += "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
@@ -179,13 +178,13 @@ void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, c
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * writes a hexahedral mesh as above, without attachments.
+ * writes a hexahedral mesh as above, without mesh_data.
  */
 template <class PointRange, class HexahedronRange, class NamedParameters = parameters::Default_named_parameters>
 void write_vtu_hex_mesh(const std::string& filename, const PointRange& points, const HexahedronRange& hexahedra,
                         const NamedParameters& np = parameters::default_values())
 {
-  write_vtu_hex_mesh(filename, points, hexahedra, Hex_mesh_attachments(), np);
+  write_vtu_hex_mesh(filename, points, hexahedra, Hex_mesh_data(), np);
 }
 
 } // namespace CGAL::IO

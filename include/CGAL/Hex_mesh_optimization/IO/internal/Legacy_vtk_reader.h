@@ -19,7 +19,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/internal/Text_scanner.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/add_vtk_cell.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/binary_number.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/complete_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/complete_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/lowered.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/number_as_text.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/read_whole_file.h>
@@ -51,10 +51,10 @@ public:
     read_header();
     while (read_section()) {
     }
-    content_.attachments.is_binary = is_binary_;
+    content_.mesh_data.is_binary = is_binary_;
     if (grid_ != Grid::UNSTRUCTURED) {
       make_grid();
-      complete_attachments(content_);
+      complete_mesh_data(content_);
       return std::move(content_);
     }
     if (!has_points_)
@@ -66,7 +66,7 @@ public:
     if (!has_types_)
       scanner_.fail("there are no CELL_TYPES");
     add_cells(*cells_, [this](std::size_t i) { return types_[i]; });
-    complete_attachments(content_);
+    complete_mesh_data(content_);
     return std::move(content_);
   }
 
@@ -92,7 +92,7 @@ private:
     if (!parse_number(number, version) || !(version >= 1 && version < 6))
       scanner_.fail(1, "version " + Text_scanner::printable(number) + " of the format is unknown");
     has_offsets_ = version >= 5;
-    content_.attachments.title = std::string(scanner_.rest_of_line());
+    content_.mesh_data.title = std::string(scanner_.rest_of_line());
     const std::string encoding = lowered(scanner_.word());
     if (encoding != "ascii" && encoding != "binary")
       scanner_.fail("ASCII or BINARY is expected");
@@ -110,12 +110,12 @@ private:
     if (keyword == "dataset")
       read_dataset(lowered(scanner_.word()));
     else if (keyword == "field")
-      arrays().read_field(content_.attachments.field_data);
+      arrays().read_field(content_.mesh_data.field_data);
     else if (keyword == "metadata") {
       // of the points, or of the last array of the field before them
       const std::string text = arrays().metadata();
-      if (!has_points_ && !content_.attachments.field_data.empty())
-        content_.attachments.field_data.back().metadata = text;
+      if (!has_points_ && !content_.mesh_data.field_data.empty())
+        content_.mesh_data.field_data.back().metadata = text;
     }
     else if (!has_dataset_)
       scanner_.fail("DATASET is expected, not \"" + Text_scanner::printable(keyword) + "\"");
@@ -329,7 +329,7 @@ private:
     try {
       for (; !keyword.empty(); keyword = lowered(scanner_.word()))
         if (keyword == "point_data" || keyword == "cell_data") {
-          target = keyword == "point_data" ? &content_.attachments.point_data : &content_.attachments.cell_data;
+          target = keyword == "point_data" ? &content_.mesh_data.point_data : &content_.mesh_data.cell_data;
           tuples = scanner_.natural("the number of tuples");
         }
         else if (keyword == "field")
@@ -343,7 +343,7 @@ private:
           scanner_.fail("unknown keyword \"" + Text_scanner::printable(keyword) + "\"");
     }
     catch (const CGAL::IO::Hex_mesh_file_error& error) {
-      content_.attachments.left_out.push_back("the data from here on: " + std::string(error.what()));
+      content_.mesh_data.left_out.push_back("the data from here on: " + std::string(error.what()));
     }
   }
 
@@ -416,8 +416,8 @@ private:
           const std::size_t v = i + n[0] * (j + n[1] * k), y = n[0], z = n[0] * n[1];
           content_.hexahedra.push_back({v, v + 1, v + y + 1, v + y, v + z, v + z + 1, v + z + y + 1, v + z + y});
         }
-    content_.attachments.left_out.push_back("the dimensions " + printed_dimensions() +
-                                            " of the grid: it is an unstructured one from here on");
+    content_.mesh_data.left_out.push_back("the dimensions " + printed_dimensions() +
+                                          " of the grid: it is an unstructured one from here on");
   }
 
   std::string printed_dimensions() const

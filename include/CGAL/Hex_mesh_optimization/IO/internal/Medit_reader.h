@@ -47,7 +47,7 @@ public:
         read_cells(section);
     if (wanted_ == Wanted_cells::HEXAHEDRA && number_of_hexahedra_sections_ == 0)
       throw CGAL::IO::Hex_mesh_file_error(filename_, last_line_, "there is no Hexahedra section");
-    for (CGAL::IO::Hex_mesh_cell& cell : content_.attachments.other_cells)
+    for (CGAL::IO::Hex_mesh_cell& cell : content_.mesh_data.other_cells)
       cell.number_of_hexahedra_before = content_.hexahedra.size();
     return std::move(content_);
   }
@@ -108,11 +108,11 @@ private:
       scanner.fail("there is a second Vertices section");
     const std::size_t count = scanner.count("the number of vertices", 8);
     content_.points.resize(count);
-    content_.attachments.vertex_labels.resize(count);
+    content_.mesh_data.vertex_labels.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       for (double& x : content_.points[i])
         x = scanner.coordinate("a coordinate");
-      content_.attachments.vertex_labels[i] = scanner.integer("the label of a vertex");
+      content_.mesh_data.vertex_labels[i] = scanner.integer("the label of a vertex");
     }
     check_end(scanner, section);
   }
@@ -182,7 +182,7 @@ private:
       cell.vertices.resize(size);
       read_indices(scanner, cell.vertices);
       cell.label = scanner.integer("the label of a cell");
-      content_.attachments.other_cells.push_back(std::move(cell));
+      content_.mesh_data.other_cells.push_back(std::move(cell));
     }
     check_end(scanner, section);
   }
@@ -193,10 +193,10 @@ private:
       scanner.fail("there is a second Hexahedra section");
     const std::size_t count = scanner.count("the number of hexahedra", 18);
     content_.hexahedra.resize(count);
-    content_.attachments.hexahedron_labels.resize(count);
+    content_.mesh_data.hexahedron_labels.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       read_indices(scanner, content_.hexahedra[i]);
-      content_.attachments.hexahedron_labels[i] = scanner.integer("the label of a hexahedron");
+      content_.mesh_data.hexahedron_labels[i] = scanner.integer("the label of a hexahedron");
     }
     check_end(scanner, section);
   }
@@ -214,7 +214,7 @@ private:
 
   void keep(const Section& section)
   {
-    std::string& kept = content_.attachments.other_sections;
+    std::string& kept = content_.mesh_data.other_sections;
     kept.append(text_, section.begin, section.end - section.begin);
     if (kept.back() != '\n')
       kept += '\n';

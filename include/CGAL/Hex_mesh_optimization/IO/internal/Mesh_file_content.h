@@ -13,7 +13,7 @@
 // What the readers of all formats produce, and its way into the containers of
 // the caller, who sees either the whole file or none of it.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 
 #include <CGAL/Container_helper.h>
 #include <CGAL/number_utils.h>
@@ -34,7 +34,7 @@ struct Mesh_file_content
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
   std::vector<std::vector<std::size_t>> polygons;
-  CGAL::IO::Hex_mesh_attachments attachments;
+  CGAL::IO::Hex_mesh_data mesh_data;
 };
 
 template <class PointRange>
@@ -63,14 +63,14 @@ void copy_hex_mesh(const Mesh_file_content& content, PointRange& points, Hexahed
   }
 }
 
-// Reader: of files with hexahedra and attachments
+// Reader: of files with hexahedra and mesh_data
 template <class Reader, class PointRange, class HexahedronRange>
 void read_hex_mesh_with(const std::string& filename, PointRange& points, HexahedronRange& hexahedra,
-                        CGAL::IO::Hex_mesh_attachments& attachments)
+                        CGAL::IO::Hex_mesh_data& mesh_data)
 {
   Mesh_file_content content = Reader(filename, Wanted_cells::HEXAHEDRA).read();
   copy_hex_mesh(content, points, hexahedra);
-  attachments = std::move(content.attachments);
+  mesh_data = std::move(content.mesh_data);
 }
 
 template <class Point>

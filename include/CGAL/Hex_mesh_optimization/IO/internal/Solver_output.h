@@ -55,7 +55,7 @@ struct Solver_output
   // `labels` may be empty. Faces with a label other than 0 that no hexahedron has are left out.
   Solver_output(std::vector<std::array<double, 3>> all_points, std::vector<std::array<std::size_t, 8>> all_hexahedra,
                 const std::vector<std::int64_t>& labels,
-                const std::vector<CGAL::IO::Hex_mesh_attachments::Labelled_quadrilateral>& faces)
+                const std::vector<CGAL::IO::Hex_mesh_data::Labelled_quadrilateral>& faces)
     : points(std::move(all_points))
     , hexahedra(std::move(all_hexahedra))
   {

@@ -19,7 +19,7 @@
 #include <CGAL/Hex_mesh_optimization/IO/internal/add_vtk_cell.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/base64.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/binary_number.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/complete_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/complete_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/data_values.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/number_as_text.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/read_whole_file.h>
@@ -81,8 +81,8 @@ public:
       fail("there is no Piece element");
     if (wanted_ == Wanted_cells::HEXAHEDRA) {
       if (const auto fields = grid->get_child_optional("FieldData"))
-        read_arrays(*fields, "mesh", nullptr, content_.attachments.field_data);
-      complete_attachments(content_);
+        read_arrays(*fields, "mesh", nullptr, content_.mesh_data.field_data);
+      complete_mesh_data(content_);
     }
     return std::move(content_);
   }
@@ -303,14 +303,14 @@ private:
     const std::uint64_t number_of_points = count(piece, "NumberOfPoints");
     const std::uint64_t number_of_cells = count(piece, "NumberOfCells");
     const std::size_t first_point = content_.points.size();
-    const std::size_t first_cell = content_.hexahedra.size() + content_.attachments.other_cells.size();
+    const std::size_t first_cell = content_.hexahedra.size() + content_.mesh_data.other_cells.size();
     if (number_of_points > (std::uint64_t(1) << 56))
       fail("the data of points are incomplete");
     if (number_of_points > 0) {
       const Tree& array_of_points = array(piece, "Points", "points");
       if (attribute(array_of_points, "NumberOfComponents", "3") != "3")
         fail("the points do not have 3 coordinates");
-      content_.attachments.is_binary = attribute(array_of_points, "format", "ascii") != "ascii";
+      content_.mesh_data.is_binary = attribute(array_of_points, "format", "ascii") != "ascii";
       const std::vector<double> values = read_array<double>(array_of_points, 3 * number_of_points, "points");
       content_.points.resize(first_point + static_cast<std::size_t>(number_of_points));
       for (std::size_t i = 0; i < values.size(); ++i)
@@ -320,9 +320,9 @@ private:
       read_cells(piece, number_of_points, number_of_cells, first_point);
     if (wanted_ == Wanted_cells::HEXAHEDRA) {
       if (const auto group = piece.get_child_optional("PointData"))
-        read_piece_data(*group, "points", number_of_points, first_point, content_.attachments.point_data);
+        read_piece_data(*group, "points", number_of_points, first_point, content_.mesh_data.point_data);
       if (const auto group = piece.get_child_optional("CellData"))
-        read_piece_data(*group, "cells", number_of_cells, first_cell, content_.attachments.cell_data);
+        read_piece_data(*group, "cells", number_of_cells, first_cell, content_.mesh_data.cell_data);
     }
   }
 
@@ -371,15 +371,15 @@ private:
           arrays.back().role = role(group, name);
         }
         catch (const CGAL::IO::Hex_mesh_file_error& error) {
-          content_.attachments.left_out.push_back("an array of the " + of + ": " + error.what());
+          content_.mesh_data.left_out.push_back("an array of the " + of + ": " + error.what());
         }
         for (const auto& key : child.second)
           if (key.first == "InformationKey") {
             const std::string key_name = attribute(key.second, "name");
             // the range of the values follows from them
             if (key_name.find("RANGE") == std::string::npos)
-              content_.attachments.left_out.push_back("the information key \"" + key_name + "\" of the array \"" +
-                                                      name + "\" of the " + of);
+              content_.mesh_data.left_out.push_back("the information key \"" + key_name + "\" of the array \"" + name +
+                                                    "\" of the " + of);
           }
       }
   }
@@ -405,8 +405,8 @@ private:
           },
           same->values);
       else if (array.size() > 0)
-        content_.attachments.left_out.push_back("the array \"" + array.name + "\" of the " + of +
-                                                ": not all pieces have it with the same type");
+        content_.mesh_data.left_out.push_back("the array \"" + array.name + "\" of the " + of +
+                                              ": not all pieces have it with the same type");
     }
   }
 

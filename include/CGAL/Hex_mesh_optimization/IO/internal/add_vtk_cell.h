@@ -83,7 +83,7 @@ inline std::string add_vtk_cell(Mesh_file_content& content, Wanted_cells wanted,
     case 75:
     case 76:
     case 77:
-      content.attachments.other_cells.push_back(
+      content.mesh_data.other_cells.push_back(
         {static_cast<int>(type), std::vector<std::size_t>(vertices, vertices + size), 0, content.hexahedra.size()});
       return std::string();
     case 10:

@@ -12,7 +12,7 @@
 
 // Which cells of a VTK file a Medit file can hold beside hexahedra.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 
 #include <cstddef>
 #include <vector>

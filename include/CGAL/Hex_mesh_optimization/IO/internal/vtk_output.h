@@ -13,10 +13,10 @@
 // What both formats of VTK have in common when they are written: the order of
 // the cells, and the arrays on points and cells.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_file_error.h>
-#include <CGAL/Hex_mesh_optimization/IO/internal/complete_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/complete_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/data_values.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/integer_labels.h>
 
@@ -33,11 +33,11 @@ namespace CGAL::Hex_mesh_optimization::internal::IO {
 
 // Calls on_hexahedron(h) and on_other(cell) in the order of the file.
 template <class On_hexahedron, class On_other>
-void for_each_cell(std::size_t number_of_hexahedra, const CGAL::IO::Hex_mesh_attachments& attachments,
+void for_each_cell(std::size_t number_of_hexahedra, const CGAL::IO::Hex_mesh_data& mesh_data,
                    const On_hexahedron& on_hexahedron, const On_other& on_other)
 {
-  auto other = attachments.other_cells.begin();
-  const auto end = attachments.other_cells.end();
+  auto other = mesh_data.other_cells.begin();
+  const auto end = mesh_data.other_cells.end();
   for (std::size_t h = 0; h < number_of_hexahedra; ++h) {
     for (; other != end && other->number_of_hexahedra_before <= h; ++other)
       on_other(*other);
@@ -47,48 +47,48 @@ void for_each_cell(std::size_t number_of_hexahedra, const CGAL::IO::Hex_mesh_att
     on_other(*other);
 }
 
-// The arrays on points and cells as they are to be written: those of the attachments, with the labels in them, or
+// The arrays on points and cells as they are to be written: those of the mesh_data, with the labels in them, or
 // beside them where they come from another format.
 class Arrays_to_write
 {
 public:
   using Array = CGAL::IO::Hex_mesh_data_array;
 
-  // Throws Hex_mesh_file_error if the attachments do not fit to the mesh.
+  // Throws Hex_mesh_file_error if the mesh_data do not fit to the mesh.
   Arrays_to_write(const std::string& filename, std::size_t number_of_points, std::size_t number_of_hexahedra,
-                  const CGAL::IO::Hex_mesh_attachments& attachments)
+                  const CGAL::IO::Hex_mesh_data& mesh_data)
   {
-    const std::size_t number_of_cells = number_of_hexahedra + attachments.other_cells.size();
+    const std::size_t number_of_cells = number_of_hexahedra + mesh_data.other_cells.size();
     const auto check = [&](bool holds, const char* reason) {
       if (!holds)
         throw CGAL::IO::Hex_mesh_file_error(filename, 0, reason);
     };
-    for (const auto& cell : attachments.other_cells)
+    for (const auto& cell : mesh_data.other_cells)
       for (const std::size_t v : cell.vertices)
         check(v < number_of_points, "a cell refers to a point that does not exist");
-    check(attachments.vertex_labels.empty() || attachments.vertex_labels.size() == number_of_points,
+    check(mesh_data.vertex_labels.empty() || mesh_data.vertex_labels.size() == number_of_points,
           "the number of labels is not the number of elements");
-    check(attachments.hexahedron_labels.empty() || attachments.hexahedron_labels.size() == number_of_hexahedra,
+    check(mesh_data.hexahedron_labels.empty() || mesh_data.hexahedron_labels.size() == number_of_hexahedra,
           "the number of labels is not the number of elements");
-    for (const Array& array : attachments.point_data)
+    for (const Array& array : mesh_data.point_data)
       check(has_tuples(array, number_of_points), "the size of an array is not the number of points");
-    for (const Array& array : attachments.cell_data)
+    for (const Array& array : mesh_data.cell_data)
       check(has_tuples(array, number_of_cells), "the size of an array is not the number of cells");
 
-    set_arrays(attachments.point_data, medit_label_name, attachments.vertex_labels, point_label_storage_, point_data);
+    set_arrays(mesh_data.point_data, medit_label_name, mesh_data.vertex_labels, point_label_storage_, point_data);
     std::vector<std::int64_t> labels;
     const auto has_label = [](const CGAL::IO::Hex_mesh_cell& cell) { return cell.label != 0; };
-    const bool has_labels = !attachments.hexahedron_labels.empty() ||
-                            std::any_of(attachments.other_cells.begin(), attachments.other_cells.end(), has_label);
+    const bool has_labels = !mesh_data.hexahedron_labels.empty() ||
+                            std::any_of(mesh_data.other_cells.begin(), mesh_data.other_cells.end(), has_label);
     if (has_labels)
       for_each_cell(
-        number_of_hexahedra, attachments,
+        number_of_hexahedra, mesh_data,
         [&](std::size_t h) {
-          labels.push_back(attachments.hexahedron_labels.empty() ? 0 : attachments.hexahedron_labels[h]);
+          labels.push_back(mesh_data.hexahedron_labels.empty() ? 0 : mesh_data.hexahedron_labels[h]);
         },
         [&](const CGAL::IO::Hex_mesh_cell& cell) { labels.push_back(cell.label); });
-    set_arrays(attachments.cell_data, attachments.label_array.empty() ? medit_label_name : attachments.label_array,
-               labels, cell_label_storage_, cell_data);
+    set_arrays(mesh_data.cell_data, mesh_data.label_array.empty() ? medit_label_name : mesh_data.label_array, labels,
+               cell_label_storage_, cell_data);
   }
 
   Arrays_to_write(const Arrays_to_write&) = delete;

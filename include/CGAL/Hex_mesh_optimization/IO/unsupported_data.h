@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_LOST_ATTACHMENTS_H
-#define CGAL_HEX_MESH_OPTIMIZATION_IO_LOST_ATTACHMENTS_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_UNSUPPORTED_DATA_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_UNSUPPORTED_DATA_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
 // What of a mesh file another format cannot hold.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/extension_of.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/integer_labels.h>
@@ -31,10 +31,10 @@ namespace CGAL::IO {
 /*!
  * \ingroup PkgHexMeshOptimizationIO
  *
- * returns what of `attachments` is not in a file with the extension of `filename` (`.mesh`, `.vtk`, `.vtu`) after it
+ * returns what of `mesh_data` is not in a file with the extension of `filename` (`.mesh`, `.vtk`, `.vtu`) after it
  * has been written with `write_hex_mesh()`: one line for each, in words for the user.
  */
-inline std::vector<std::string> lost_attachments(const std::string& filename, const Hex_mesh_attachments& attachments)
+inline std::vector<std::string> unsupported_data(const std::string& filename, const Hex_mesh_data& mesh_data)
 {
   namespace io = Hex_mesh_optimization::internal::IO;
   using Array = Hex_mesh_data_array;
@@ -43,30 +43,30 @@ inline std::vector<std::string> lost_attachments(const std::string& filename, co
   const std::string extension = io::extension_of(filename);
   if (extension != "mesh" && extension != "vtk" &&
       extension != "vtu") { // of a solver: labels of cells and faces remain
-    for (const auto* arrays : {&attachments.point_data, &attachments.cell_data, &attachments.field_data})
+    for (const auto* arrays : {&mesh_data.point_data, &mesh_data.cell_data, &mesh_data.field_data})
       for (const Array& array : *arrays)
-        if (array.name != attachments.label_array || array.name.empty())
+        if (array.name != mesh_data.label_array || array.name.empty())
           lost.push_back("the array" + quoted(array));
-    std::size_t other_cells = attachments.other_cells.size();
-    for (const auto& quadrilateral : attachments.labelled_quadrilaterals())
+    std::size_t other_cells = mesh_data.other_cells.size();
+    for (const auto& quadrilateral : mesh_data.labelled_quadrilaterals())
       other_cells -= quadrilateral.label != 0;
     if (other_cells > 0)
       lost.push_back(std::to_string(other_cells) + " cells that are neither hexahedra nor quadrilaterals with a label");
-    if (!attachments.other_sections.empty())
+    if (!mesh_data.other_sections.empty())
       lost.push_back("the other sections of the file");
     return lost;
   }
   if (extension == "mesh") {
-    for (const Array& array : attachments.point_data)
-      if (array.name != io::medit_label_name || attachments.vertex_labels.empty())
+    for (const Array& array : mesh_data.point_data)
+      if (array.name != io::medit_label_name || mesh_data.vertex_labels.empty())
         lost.push_back("the array" + quoted(array) + " of the points");
-    for (const Array& array : attachments.cell_data)
-      if (array.name != attachments.label_array || attachments.label_array.empty())
+    for (const Array& array : mesh_data.cell_data)
+      if (array.name != mesh_data.label_array || mesh_data.label_array.empty())
         lost.push_back("the array" + quoted(array) + " of the cells");
-    for (const Array& array : attachments.field_data)
+    for (const Array& array : mesh_data.field_data)
       lost.push_back("the array" + quoted(array) + " of the mesh");
     std::map<int, std::size_t> counts;
-    for (const Hex_mesh_cell& cell : attachments.other_cells)
+    for (const Hex_mesh_cell& cell : mesh_data.other_cells)
       if (io::medit_corners(cell).empty())
         ++counts[cell.type];
     for (const auto& [type, count] : counts)
@@ -75,7 +75,7 @@ inline std::vector<std::string> lost_attachments(const std::string& filename, co
   }
 
   // The keywords of Medit begin with a capital letter.
-  std::istringstream lines(attachments.other_sections);
+  std::istringstream lines(mesh_data.other_sections);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     for (std::string word; words >> word;)
@@ -84,7 +84,7 @@ inline std::vector<std::string> lost_attachments(const std::string& filename, co
         lost.push_back("the section " + word);
   }
   const bool is_vtu = extension == "vtu";
-  for (const auto* arrays : {&attachments.point_data, &attachments.cell_data, &attachments.field_data})
+  for (const auto* arrays : {&mesh_data.point_data, &mesh_data.cell_data, &mesh_data.field_data})
     for (const Array& array : *arrays) {
       if (is_vtu && array.role == Array::Role::LOOKUP_TABLE)
         lost.push_back("the lookup table" + quoted(array));
@@ -99,4 +99,4 @@ inline std::vector<std::string> lost_attachments(const std::string& filename, co
 
 } // namespace CGAL::IO
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_LOST_ATTACHMENTS_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_UNSUPPORTED_DATA_H

@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_COMPLETE_ATTACHMENTS_H
-#define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_COMPLETE_ATTACHMENTS_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_COMPLETE_MESH_DATA_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_COMPLETE_MESH_DATA_H
 
 // The last step of reading a VTK file: arrays that do not fit are left out,
 // labels are found.
 
-#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_attachments.h>
+#include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data.h>
 #include <CGAL/Hex_mesh_optimization/IO/Hex_mesh_data_array.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Mesh_file_content.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/integer_labels.h>
@@ -32,32 +32,32 @@ inline bool has_tuples(const CGAL::IO::Hex_mesh_data_array& array, std::size_t c
          array.size() == array.number_of_components * count;
 }
 
-inline void complete_attachments(Mesh_file_content& content)
+inline void complete_mesh_data(Mesh_file_content& content)
 {
   using Array = CGAL::IO::Hex_mesh_data_array;
-  CGAL::IO::Hex_mesh_attachments& attachments = content.attachments;
+  CGAL::IO::Hex_mesh_data& mesh_data = content.mesh_data;
   const auto leave_out = [&](std::vector<Array>& arrays, std::size_t count, const std::string& of) {
     const auto is_unfit = [&](const Array& array) {
       if (has_tuples(array, count))
         return false;
-      attachments.left_out.push_back("the array \"" + array.name + "\" of the " + of + ": it has " +
-                                     std::to_string(array.size()) + " values, not " +
-                                     std::to_string(array.number_of_components * count));
+      mesh_data.left_out.push_back("the array \"" + array.name + "\" of the " + of + ": it has " +
+                                   std::to_string(array.size()) + " values, not " +
+                                   std::to_string(array.number_of_components * count));
       return true;
     };
     arrays.erase(std::remove_if(arrays.begin(), arrays.end(), is_unfit), arrays.end());
   };
-  leave_out(attachments.point_data, content.points.size(), "points");
-  leave_out(attachments.cell_data, content.hexahedra.size() + attachments.other_cells.size(), "cells");
-  for (const Array& array : attachments.point_data)
+  leave_out(mesh_data.point_data, content.points.size(), "points");
+  leave_out(mesh_data.cell_data, content.hexahedra.size() + mesh_data.other_cells.size(), "cells");
+  for (const Array& array : mesh_data.point_data)
     if (array.name == medit_label_name && array.number_of_components == 1 &&
-        integer_labels(array, attachments.vertex_labels))
+        integer_labels(array, mesh_data.vertex_labels))
       break;
     else
-      attachments.vertex_labels.clear();
-  attachments.find_label_array();
+      mesh_data.vertex_labels.clear();
+  mesh_data.find_label_array();
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal::IO
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_COMPLETE_ATTACHMENTS_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_COMPLETE_MESH_DATA_H

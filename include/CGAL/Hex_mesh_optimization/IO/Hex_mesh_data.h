@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_ATTACHMENTS_H
-#define CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_ATTACHMENTS_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_DATA_H
+#define CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_DATA_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
@@ -47,9 +47,9 @@ struct Hex_mesh_cell
  * \ingroup PkgHexMeshOptimizationIO
  *
  * What a file holds beside points and hexahedra. Readers replace all members. Writers write all that their format can
- * hold; `CGAL::IO::lost_attachments()` tells what it cannot.
+ * hold; `CGAL::IO::unsupported_data()` tells what it cannot.
  */
-struct Hex_mesh_attachments
+struct Hex_mesh_data
 {
   /// A quadrilateral of the file with its label.
   struct Labelled_quadrilateral
@@ -141,4 +141,4 @@ private:
 
 } // namespace CGAL::IO
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_ATTACHMENTS_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_IO_HEX_MESH_DATA_H
