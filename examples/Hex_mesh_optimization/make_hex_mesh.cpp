@@ -131,12 +131,12 @@ void print(const HMO::Surface_repair& repair)
   if (repair.number_of_filled_holes > 0)
     std::cout << "Repaired: " << repair.number_of_filled_holes << " holes of the surface were closed, the largest "
               << text(repair.largest_filled_hole) << " across.\n";
-  if (repair.number_of_vertices_left_out > 0) {
-    std::cout << "Repaired: " << repair.number_of_vertices_left_out
+  if (repair.number_of_skipped_vertices > 0) {
+    std::cout << "Repaired: " << repair.number_of_skipped_vertices
               << " vertices that were pulled through the opposite side were left out, the farthest "
               << text(repair.farthest) << " away from the surface as it is now; the volume was "
               << text(repair.volume_before) << " before and is " << text(repair.volume_after) << " now:\n";
-    for (const auto& p : repair.vertices_left_out)
+    for (const auto& p : repair.skipped_vertices)
       std::cout << "          (" << p[0] << ' ' << p[1] << ' ' << p[2] << ")\n";
   }
 }
@@ -224,7 +224,7 @@ Json json(const HMO::Surface_repair& r)
 {
   return {{"number_of_filled_holes", r.number_of_filled_holes},
           {"largest_filled_hole", r.largest_filled_hole},
-          {"vertices_left_out", r.vertices_left_out},
+          {"skipped_vertices", r.skipped_vertices},
           {"farthest", r.farthest},
           {"volume_before", r.volume_before},
           {"volume_after", r.volume_after}};

@@ -138,7 +138,7 @@ void add_options(CLI::App& app, Options& o)
 // What becomes of the file beside points and hexahedra: one line for each thing that is lost.
 std::vector<std::string> losses(const Mesh& mesh, const std::string& output)
 {
-  std::vector<std::string> result = mesh.mesh_data.left_out;
+  std::vector<std::string> result = mesh.mesh_data.skipped;
   for (const std::string& lost : CGAL::IO::unsupported_data(output, mesh.mesh_data))
     result.push_back(lost);
   return result;

@@ -115,7 +115,7 @@ py::dict read_mesh(const std::string& filename, const std::string& label_array)
   const CGAL::IO::Hex_mesh_file none, &file = content.solver_file ? *content.solver_file : none;
   result["parameters"] = parameters(file);
   result["sets"] = sets(file);
-  result["notes"] = content.solver_file ? file.notes : mesh_data.left_out;
+  result["notes"] = content.solver_file ? file.notes : mesh_data.skipped;
   result["content"] = std::move(content);
   return result;
 }
@@ -154,7 +154,7 @@ std::vector<std::string> write_mesh(const std::string& filename, const py::array
   write(filename, all_points, all_hexahedra, written.mesh_data);
   std::vector<std::string> lost = CGAL::IO::unsupported_data(filename, written.mesh_data);
   if (written.solver_file) // what is left out of other files is left out when they are read
-    lost.insert(lost.end(), written.mesh_data.left_out.begin(), written.mesh_data.left_out.end());
+    lost.insert(lost.end(), written.mesh_data.skipped.begin(), written.mesh_data.skipped.end());
   for (std::string& line : lost)
     line = "not in the file: " + line;
   return lost;

@@ -29,9 +29,9 @@ struct Surface_repair
   std::size_t number_of_filled_holes = 0; ///< Of any size.
   double largest_filled_hole = 0;         ///< The diagonal of its box, a length.
 
-  std::size_t number_of_vertices_left_out = 0;          ///< That were pulled through the opposite side.
-  std::vector<std::array<double, 3>> vertices_left_out; ///< Where they were.
-  double farthest = 0;                                  ///< How far these were from the surface as it is now, a length.
+  std::size_t number_of_skipped_vertices = 0;          ///< That were pulled through the opposite side.
+  std::vector<std::array<double, 3>> skipped_vertices; ///< Where they were.
+  double farthest = 0;                                 ///< How far these were from the surface as it is now, a length.
 
   double volume_before = 0; ///< That the surface bounded, its holes closed.
   double volume_after = 0;  ///< That it bounds now.

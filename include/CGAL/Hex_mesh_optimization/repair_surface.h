@@ -155,7 +155,7 @@ Surface_repair repair_surface(PointRange& points, TriangleRange& triangles)
   const std::size_t n = surface.triangles.size();
   const internal::Positions before = surface.points;
   const Surface_repair result = internal::repair_triangles(surface);
-  if (surface.triangles.size() == n && surface.points == before && result.number_of_vertices_left_out == 0)
+  if (surface.triangles.size() == n && surface.points == before && result.number_of_skipped_vertices == 0)
     return result;
   points.clear();
   for (const internal::Vector_3& p : surface.points)

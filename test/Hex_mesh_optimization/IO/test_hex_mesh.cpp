@@ -212,7 +212,7 @@ TEST_F(Hex_mesh_file, labels_survive_any_change_of_format)
     SCOPED_TRACE(next);
     Mesh_data read;
     CGAL::IO::read_hex_mesh(path(last), points_back, hexahedra_back, read);
-    EXPECT_TRUE(read.left_out.empty());
+    EXPECT_TRUE(read.skipped.empty());
     EXPECT_TRUE(CGAL::IO::unsupported_data(next, read).empty());
     CGAL::IO::write_hex_mesh(path(next), points_back, hexahedra_back, read);
     CGAL::IO::read_hex_mesh(path(next), points_back, hexahedra_back, read);
@@ -289,7 +289,7 @@ TEST_F(Hex_mesh_file, data_come_back)
       std::vector<Cell> hexahedra_back;
       Mesh_data read;
       CGAL::IO::read_hex_mesh(path(name), points_back, hexahedra_back, read);
-      EXPECT_TRUE(read.left_out.empty()) << read.left_out[0];
+      EXPECT_TRUE(read.skipped.empty()) << read.skipped[0];
       EXPECT_TRUE(same_points(points, points_back));
       EXPECT_EQ(hexahedra, hexahedra_back);
       EXPECT_EQ(read.is_binary, is_binary);

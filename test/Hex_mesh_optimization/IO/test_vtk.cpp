@@ -142,7 +142,7 @@ TEST_F(Vtk, attributes_come_back)
   std::vector<Cell> hexahedra;
   Mesh_data mesh_data;
   read_hex_mesh(write("a.vtk", text), points, hexahedra, mesh_data);
-  EXPECT_TRUE(mesh_data.left_out.empty()) << mesh_data.left_out[0];
+  EXPECT_TRUE(mesh_data.skipped.empty()) << mesh_data.skipped[0];
   EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{-1});
   EXPECT_EQ(mesh_data.other_cells.at(0).label, 7);
   write_hex_mesh(path("b.vtk"), points, hexahedra, mesh_data);
@@ -152,7 +152,7 @@ TEST_F(Vtk, attributes_come_back)
   Mesh_data again;
   write_hex_mesh(path("c.vtk"), points, hexahedra, mesh_data, true);
   read_hex_mesh(path("c.vtk"), points, hexahedra, again);
-  EXPECT_TRUE(again.left_out.empty()) << again.left_out[0];
+  EXPECT_TRUE(again.skipped.empty()) << again.skipped[0];
   ASSERT_EQ(again.point_data.size(), mesh_data.point_data.size());
   EXPECT_EQ(again.point_data[4].metadata, "COMPONENT_NAMES\nfirst\nsecond\n");
   EXPECT_EQ(again.cell_data.back().values, Array::Values(std::vector<std::uint8_t>{0, 128, 255, 255, 255, 0}));
@@ -176,7 +176,7 @@ TEST_F(Vtk, layouts_that_others_write)
                 hexahedra, mesh_data);
   EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{3}) << "written as 3.0";
   read_hex_mesh(write("a.vtk", mesh + "CELL_DATA 1\nPOINT_DATA 8\n"), points, hexahedra, mesh_data);
-  EXPECT_TRUE(mesh_data.left_out.empty() && mesh_data.cell_data.empty() && mesh_data.point_data.empty());
+  EXPECT_TRUE(mesh_data.skipped.empty() && mesh_data.cell_data.empty() && mesh_data.point_data.empty());
 }
 
 // The mesh is there all the same, and what is not is named.
@@ -202,8 +202,8 @@ TEST_F(Vtk, damaged_data_are_named)
     Mesh_data mesh_data;
     read_hex_mesh(write("a.vtk", mesh + good + text), points, hexahedra, mesh_data);
     EXPECT_EQ(hexahedra.size(), 1u);
-    ASSERT_EQ(mesh_data.left_out.size(), 1u);
-    EXPECT_NE(mesh_data.left_out[0].find(words), std::string::npos) << mesh_data.left_out[0];
+    ASSERT_EQ(mesh_data.skipped.size(), 1u);
+    EXPECT_NE(mesh_data.skipped[0].find(words), std::string::npos) << mesh_data.skipped[0];
     ASSERT_EQ(mesh_data.cell_data.size(), 1u);
     EXPECT_EQ(mesh_data.cell_data[0].name, "a");
   }
@@ -237,8 +237,8 @@ TEST_F(Vtk, structured_grids_are_hexahedral_meshes)
     EXPECT_EQ(hexahedra[4], (Cell{{5, 6, 10, 9, 17, 18, 22, 21}}));
     EXPECT_EQ(points[17], Simple::Point_3(1.5, 4, 3));
     EXPECT_EQ(mesh_data.hexahedron_labels, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6}));
-    ASSERT_EQ(mesh_data.left_out.size(), 1u);
-    EXPECT_NE(mesh_data.left_out[0].find("4 x 3 x 2"), std::string::npos);
+    ASSERT_EQ(mesh_data.skipped.size(), 1u);
+    EXPECT_NE(mesh_data.skipped[0].find("4 x 3 x 2"), std::string::npos);
     write_hex_mesh(path("b.vtk"), points, hexahedra, mesh_data);
     read_hex_mesh(path("b.vtk"), again, hexahedra_again, mesh_data);
     EXPECT_EQ(again, points);

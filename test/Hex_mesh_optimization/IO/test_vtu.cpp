@@ -156,7 +156,7 @@ TEST_F(Vtu, data_come_back)
   std::vector<Cell> hexahedra;
   Mesh_data mesh_data;
   read_hex_mesh(write("a.vtu", text), points, hexahedra, mesh_data);
-  EXPECT_TRUE(mesh_data.left_out.empty()) << mesh_data.left_out[0];
+  EXPECT_TRUE(mesh_data.skipped.empty()) << mesh_data.skipped[0];
   EXPECT_EQ(mesh_data.hexahedron_labels, std::vector<std::int64_t>{-1});
   EXPECT_EQ(mesh_data.other_cells.at(0).label, 7);
   EXPECT_EQ(mesh_data.field_data.at(1).values, Array::Values(std::vector<std::string>{"Hi", ""}));
@@ -199,7 +199,7 @@ TEST_F(Vtu, pieces_are_joined)
     read_hex_mesh(with_data(data("Int8", "1 2 3 4 5 6 7 8"), other), points, hexahedra, mesh_data);
     EXPECT_TRUE(mesh_data.point_data.empty());
     bool is_named = false;
-    for (const std::string& line : mesh_data.left_out)
+    for (const std::string& line : mesh_data.skipped)
       is_named = is_named || line.find("\"p\"") != std::string::npos;
     EXPECT_TRUE(is_named) << other;
   }
@@ -214,9 +214,9 @@ TEST_F(Vtu, damaged_data_are_named)
   Mesh_data mesh_data;
   read_hex_mesh(write("a.vtu", text), points, hexahedra, mesh_data);
   EXPECT_EQ(hexahedra.size(), 1u);
-  ASSERT_EQ(mesh_data.left_out.size(), 2u);
-  EXPECT_NE(mesh_data.left_out[0].find("\"p\" are incomplete"), std::string::npos) << mesh_data.left_out[0];
-  EXPECT_NE(mesh_data.left_out[1].find("a string of \"a\" has no end"), std::string::npos) << mesh_data.left_out[1];
+  ASSERT_EQ(mesh_data.skipped.size(), 2u);
+  EXPECT_NE(mesh_data.skipped[0].find("\"p\" are incomplete"), std::string::npos) << mesh_data.skipped[0];
+  EXPECT_NE(mesh_data.skipped[1].find("a string of \"a\" has no end"), std::string::npos) << mesh_data.skipped[1];
   EXPECT_TRUE(mesh_data.point_data.empty() && mesh_data.field_data.empty());
 
   std::string key = text;
@@ -225,7 +225,7 @@ TEST_F(Vtu, damaged_data_are_named)
               "</InformationKey><InformationKey name=\"L2_NORM_RANGE\"></InformationKey>");
   read_hex_mesh(write("a.vtu", key), points, hexahedra, mesh_data);
   EXPECT_EQ(mesh_data.point_data.size(), 1u);
-  EXPECT_EQ(mesh_data.left_out.at(0), "the information key \"UNITS_LABEL\" of the array \"p\" of the points");
+  EXPECT_EQ(mesh_data.skipped.at(0), "the information key \"UNITS_LABEL\" of the array \"p\" of the points");
 }
 
 } // namespace

@@ -317,7 +317,7 @@ TEST(Solid_of_surface, refuses_what_is_inside_out_beyond_its_opposite_side)
 TEST(Soup_repair, leaves_out_a_vertex_that_was_pulled_through_and_tells_what_that_changes)
 {
   const Soup_repair repaired(pulled_through());
-  EXPECT_EQ(repaired.report.number_of_vertices_left_out, 1u);
+  EXPECT_EQ(repaired.report.number_of_skipped_vertices, 1u);
   EXPECT_NEAR(repaired.report.volume_after, 1, 1e-9);
   EXPECT_LT(repaired.report.volume_before, .99);
   EXPECT_NEAR(repaired.report.farthest, .4, 1e-9);

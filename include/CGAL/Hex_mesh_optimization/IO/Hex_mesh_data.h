@@ -83,8 +83,8 @@ struct Hex_mesh_data
   std::string title;      ///< the second line of a `.vtk` file
   bool is_binary = false; ///< whether the numbers of a VTK file were binary
 
-  /// what the reader has left out, because it is damaged or of a kind that is not known: one line for each
-  std::vector<std::string> left_out;
+  /// what the reader has skipped, because it is damaged or of a kind that is not known: one line for each
+  std::vector<std::string> skipped;
 
   /// the quadrilaterals among `other_cells`
   std::vector<Labelled_quadrilateral> labelled_quadrilaterals() const

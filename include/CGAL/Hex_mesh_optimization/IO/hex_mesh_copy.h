@@ -92,10 +92,10 @@ inline CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file)
       break;
     }
   for (const CGAL::IO::Hex_mesh_set& set : file.sets)
-    result.left_out.push_back("the set \"" + set.name + '"');
-  result.left_out.push_back("what else is in a file of " + file.format);
+    result.skipped.push_back("the set \"" + set.name + '"');
+  result.skipped.push_back("what else is in a file of " + file.format);
   if (!file.followers.empty())
-    result.left_out.push_back("the nodes of hexahedra that are no corners, as such");
+    result.skipped.push_back("the nodes of hexahedra that are no corners, as such");
   return result;
 }
 

@@ -48,7 +48,7 @@ namespace CGAL::IO {
  * The dataset must be a grid, unstructured, structured, rectilinear or of structured points. All points are read, also
  * those no hexahedron refers to. Voxels are read as hexahedra. Cells of dimension two and less, and data on points,
  * cells and the mesh as a whole, go to `mesh_data`; data that are damaged or of an unknown kind are named in
- * `Hex_mesh_data::left_out`.
+ * `Hex_mesh_data::skipped`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`

@@ -44,7 +44,7 @@ namespace CGAL::IO {
  * `CGAL_HEX_MESH_OPTIMIZATION_USE_ZLIB` is defined and the program is linked with zlib. Several pieces are read one
  * after the other. All points are read, also those no hexahedron refers to. Voxels are read as hexahedra. Cells of
  * dimension two and less, and data on points, cells and the mesh as a whole, go to `mesh_data`; data that are
- * damaged, or that not all pieces have, are named in `Hex_mesh_data::left_out`.
+ * damaged, or that not all pieces have, are named in `Hex_mesh_data::skipped`.
  *
  * \tparam PointRange a model of `BackInsertionSequence` with `reserve()` whose value type can be constructed from
  *         three `double`

@@ -343,7 +343,7 @@ private:
           scanner_.fail("unknown keyword \"" + Text_scanner::printable(keyword) + "\"");
     }
     catch (const CGAL::IO::Hex_mesh_file_error& error) {
-      content_.mesh_data.left_out.push_back("the data from here on: " + std::string(error.what()));
+      content_.mesh_data.skipped.push_back("the data from here on: " + std::string(error.what()));
     }
   }
 
@@ -416,8 +416,8 @@ private:
           const std::size_t v = i + n[0] * (j + n[1] * k), y = n[0], z = n[0] * n[1];
           content_.hexahedra.push_back({v, v + 1, v + y + 1, v + y, v + z, v + z + 1, v + z + y + 1, v + z + y});
         }
-    content_.mesh_data.left_out.push_back("the dimensions " + printed_dimensions() +
-                                          " of the grid: it is an unstructured one from here on");
+    content_.mesh_data.skipped.push_back("the dimensions " + printed_dimensions() +
+                                         " of the grid: it is an unstructured one from here on");
   }
 
   std::string printed_dimensions() const

@@ -371,15 +371,15 @@ private:
           arrays.back().role = role(group, name);
         }
         catch (const CGAL::IO::Hex_mesh_file_error& error) {
-          content_.mesh_data.left_out.push_back("an array of the " + of + ": " + error.what());
+          content_.mesh_data.skipped.push_back("an array of the " + of + ": " + error.what());
         }
         for (const auto& key : child.second)
           if (key.first == "InformationKey") {
             const std::string key_name = attribute(key.second, "name");
             // the range of the values follows from them
             if (key_name.find("RANGE") == std::string::npos)
-              content_.mesh_data.left_out.push_back("the information key \"" + key_name + "\" of the array \"" + name +
-                                                    "\" of the " + of);
+              content_.mesh_data.skipped.push_back("the information key \"" + key_name + "\" of the array \"" + name +
+                                                   "\" of the " + of);
           }
       }
   }
@@ -405,8 +405,8 @@ private:
           },
           same->values);
       else if (array.size() > 0)
-        content_.mesh_data.left_out.push_back("the array \"" + array.name + "\" of the " + of +
-                                              ": not all pieces have it with the same type");
+        content_.mesh_data.skipped.push_back("the array \"" + array.name + "\" of the " + of +
+                                             ": not all pieces have it with the same type");
     }
   }
 

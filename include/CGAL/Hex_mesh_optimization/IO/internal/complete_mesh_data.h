@@ -40,9 +40,9 @@ inline void complete_mesh_data(Mesh_file_content& content)
     const auto is_unfit = [&](const Array& array) {
       if (has_tuples(array, count))
         return false;
-      mesh_data.left_out.push_back("the array \"" + array.name + "\" of the " + of + ": it has " +
-                                   std::to_string(array.size()) + " values, not " +
-                                   std::to_string(array.number_of_components * count));
+      mesh_data.skipped.push_back("the array \"" + array.name + "\" of the " + of + ": it has " +
+                                  std::to_string(array.size()) + " values, not " +
+                                  std::to_string(array.number_of_components * count));
       return true;
     };
     arrays.erase(std::remove_if(arrays.begin(), arrays.end(), is_unfit), arrays.end());

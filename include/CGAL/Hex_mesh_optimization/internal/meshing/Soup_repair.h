@@ -112,7 +112,7 @@ private:
     }
     if (left_out_.empty())
       return false;
-    report.number_of_vertices_left_out = left_out_.size();
+    report.number_of_skipped_vertices = left_out_.size();
     surface.points = stitched.points;
     surface.triangles = stitched.triangles;
     surface.sharp.clear();
@@ -168,7 +168,7 @@ private:
   {
     const Triangle_surface tree(surface.points, surface.triangles);
     for (const Vector_3& p : left_out_) {
-      report.vertices_left_out.push_back({p[0], p[1], p[2]});
+      report.skipped_vertices.push_back({p[0], p[1], p[2]});
       report.farthest = (std::max)(report.farthest, (tree.closest_point(p).point - p).norm());
     }
   }
