@@ -155,7 +155,7 @@ void print(const HMO::Surface_report& surface)
   say(surface.number_of_aligned_vertices, "vertices where parts touch but for rounding were put into common planes");
   say(surface.number_of_filled_holes,
       "holes smaller than a cell were closed, the largest " + text(surface.largest_filled_hole) + " across");
-  say(surface.number_of_turned_parts, "closed parts were inside out, and were taken the right way round");
+  say(surface.number_of_reoriented_parts, "closed parts were inside out, and were taken the right way round");
   say(surface.number_of_faces_within, "pieces of faces are inside of the volume, or bound none, and were left out");
   say(surface.number_of_crumbs, "bodies or cavities of less than a thousandth of a cell were left out, their volume " +
                                   text(surface.volume_of_crumbs));
@@ -207,7 +207,7 @@ Json json(const HMO::Surface_report& s)
           {"number_of_bodies", s.number_of_bodies},
           {"euler_characteristic", s.euler_characteristic},
           {"number_of_parts", s.number_of_parts},
-          {"number_of_turned_parts", s.number_of_turned_parts},
+          {"number_of_reoriented_parts", s.number_of_reoriented_parts},
           {"number_of_copies", s.number_of_copies},
           {"number_without_area", s.number_without_area},
           {"number_of_faces_within", s.number_of_faces_within},

@@ -575,7 +575,7 @@ bool write_as_copy(Mesh& mesh, const Input& input, const Places& places, const O
 {
   if (mesh.is_copied)
     write_copy(mesh, o, status);
-  else if (places && status.turned_hexahedra.empty())
+  else if (places && status.reoriented_hexahedra.empty())
     copy(places, o.output, input.mesh.points, mesh.points);
   else
     return false;
@@ -606,7 +606,7 @@ Outcome optimized(Mesh& mesh, const Input& input, const Options& o)
       result.status = optimize(mesh, input, o, watcher, result.notes);
     result.iterations = watcher.iterations();
   }
-  for (std::size_t h : result.status.turned_hexahedra)
+  for (std::size_t h : result.status.reoriented_hexahedra)
     std::swap_ranges(mesh.hexahedra[h].begin(), mesh.hexahedra[h].begin() + 4, mesh.hexahedra[h].begin() + 4);
   return result;
 }

@@ -263,8 +263,8 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
   for (const Report_row& row : table(status, labels))
     print(row);
   std::cout << "Stopped after " << status.iterations << " iterations: " << in_words(status.return_code) << ".\n";
-  if (status.number_of_turned_hexahedra() > 0)
-    std::cout << status.number_of_turned_hexahedra() << " hexahedra were numbered inside out: they are written "
+  if (status.number_of_reoriented_hexahedra() > 0)
+    std::cout << status.number_of_reoriented_hexahedra() << " hexahedra were numbered inside out: they are written "
               << (mesh.is_copied ? "as they were numbered.\n" : "with bottom and top exchanged.\n");
   if (mesh.number_of_merged() > 0)
     std::cout << mesh.number_of_merged() << " vertices coincide with others and were merged with them.\n";

@@ -209,8 +209,8 @@ Json json(const HMO::Status& status, const Center& center, const Labels& labels)
                           {"maximum_deviation", i.deviation.maximum}});
   return {{"return_code", json(status.return_code)},
           {"valid_mesh", status.valid_mesh()},
-          {"number_of_turned_hexahedra", status.number_of_turned_hexahedra()},
-          {"turned_hexahedra", status.turned_hexahedra},
+          {"number_of_reoriented_hexahedra", status.number_of_reoriented_hexahedra()},
+          {"reoriented_hexahedra", status.reoriented_hexahedra},
           {"number_of_coincident_vertices", status.number_of_coincident_vertices},
           {"before", json(status.before)},
           {"after", json(status.after)},

@@ -455,7 +455,7 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const NamedParameters&
  * four around the bottom, counter-clockwise seen from inside, the other four above them (the numbering of VTK and
  * Medit). Points that no hexahedron uses are kept. Hexahedra that are numbered inside out, some or all, are accepted:
  * those that are connected through faces are made to agree. `hexahedra` itself is not changed;
- * `Status::turned_hexahedra` lists those whose first four vertices are to be exchanged with the last four.
+ * `Status::reoriented_hexahedra` lists those whose first four vertices are to be exchanged with the last four.
  *
  * \tparam PointRange a model of `RandomAccessContainer` of models of `HexMeshOptimizationPoint_3`
  * \tparam HexahedronRange a model of `RandomAccessContainer` whose value type is a range of eight integers

@@ -68,7 +68,7 @@ def _report_of_meshes(before: Tuple[Array, Array], after: Tuple[Array, Array]) -
         "interfaces": [],
         "deviation_bound": None,
         "iterations": 0,
-        "number_of_turned_hexahedra": 0,
+        "number_of_reoriented_hexahedra": 0,
         "number_of_coincident_vertices": 0,
         "invalid_hexahedra": [
             {"id": h, "center": after[0][after[1][h]].mean(axis=0).tolist()}

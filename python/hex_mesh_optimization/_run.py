@@ -223,6 +223,6 @@ def statistics(points: npt.ArrayLike, hexahedra: npt.ArrayLike) -> Quality_stati
 def turned(hexahedra: npt.ArrayLike, status: Status) -> Array:
     """A copy of the hexahedra in which those that were numbered inside out are not any more."""
     result = np.array(arguments.hexahedra(hexahedra))
-    inside_out = status.turned_hexahedra
+    inside_out = status.reoriented_hexahedra
     result[inside_out] = result[inside_out][:, [4, 5, 6, 7, 0, 1, 2, 3]]
     return result

@@ -210,7 +210,7 @@ class Status:
     locked_hexahedra: Integers
     released_vertices: Integers
     connectivity_limits: List[Connectivity_limit]
-    turned_hexahedra: Integers  #: whose first four vertices are to be exchanged with the last four, see turned()
+    reoriented_hexahedra: Integers  #: whose first four vertices are to be exchanged with the last four, see turned()
     number_of_coincident_vertices: int
     history: List[Iteration]  #: every iteration, for plots of the convergence
     why_it_stopped: str  #: in words
@@ -228,9 +228,9 @@ class Status:
         return self.deviation.certified <= self.deviation_bound
 
     @property
-    def number_of_turned_hexahedra(self) -> int:
-        """The number of turned_hexahedra."""
-        return len(self.turned_hexahedra)
+    def number_of_reoriented_hexahedra(self) -> int:
+        """The number of reoriented_hexahedra."""
+        return len(self.reoriented_hexahedra)
 
     def as_dict(self) -> Dict[str, Any]:
         """What the programs write with --json as the status, of plain numbers, strings, lists and dictionaries."""
@@ -257,8 +257,8 @@ class Status:
 
     def _sentences(self) -> List[str]:
         result = [f"Stopped after {self.iterations} iterations: {self.why_it_stopped}."]
-        if self.number_of_turned_hexahedra > 0:
-            result.append(f"{self.number_of_turned_hexahedra} hexahedra are numbered inside out (turned_hexahedra).")
+        if self.number_of_reoriented_hexahedra > 0:
+            result.append(f"{self.number_of_reoriented_hexahedra} hexahedra are numbered inside out (reoriented_hexahedra).")
         if self.number_of_coincident_vertices > 0:
             result.append(
                 f"{self.number_of_coincident_vertices} vertices coincide with others: faces are in the same place, "

@@ -122,7 +122,7 @@ py::dict as_dict(const HMO::Status& s, const Points& points, const Table& hexahe
   result["locked_hexahedra"] = as_array(s.locked_hexahedra);
   result["released_vertices"] = as_array(s.released_vertices);
   result["connectivity_limits"] = limits(s);
-  result["turned_hexahedra"] = as_array(s.turned_hexahedra);
+  result["reoriented_hexahedra"] = as_array(s.reoriented_hexahedra);
   result["number_of_coincident_vertices"] = s.number_of_coincident_vertices;
   result["history"] = history(watcher);
   result["why_it_stopped"] = in_words(s.return_code);

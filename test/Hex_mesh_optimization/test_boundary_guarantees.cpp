@@ -369,7 +369,7 @@ TEST(Volume, is_in_the_status_before_and_after)
   for (auto& h : mesh.hexahedra)
     std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
   const Status reversed = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra);
-  EXPECT_EQ(reversed.number_of_turned_hexahedra(), mesh.hexahedra.size());
+  EXPECT_EQ(reversed.number_of_reoriented_hexahedra(), mesh.hexahedra.size());
   EXPECT_NEAR(reversed.volume_before, status.volume_after, 1e-12);
 }
 

@@ -362,7 +362,7 @@ TEST(Input_errors, of_a_volume_that_is_not_a_hexahedron)
 void expect_honest(Mesh before, Mesh after, const HMO::Status& status)
 {
   for (Mesh* mesh : {&before, &after}) // the statistics refer to the numbering with top and bottom exchanged
-    for (std::size_t h : status.turned_hexahedra)
+    for (std::size_t h : status.reoriented_hexahedra)
       std::swap_ranges(mesh->cells[h].begin(), mesh->cells[h].begin() + 4, mesh->cells[h].begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.cells);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.cells);
@@ -423,7 +423,7 @@ TEST(Unusual_input, of_components_of_opposite_orientation)
   for (std::size_t i = 0; i < 8; ++i)
     mesh.cells.back()[i] = n + cube.cells[0][(i + 4) % 8];
   const HMO::Status status = optimized(mesh);
-  EXPECT_EQ(status.turned_hexahedra, std::vector<std::size_t>{27});
+  EXPECT_EQ(status.reoriented_hexahedra, std::vector<std::size_t>{27});
   EXPECT_TRUE(status.valid_mesh());
 }
 
@@ -595,7 +595,7 @@ TEST(Unusual_input, with_one_coordinate_of_1e150)
       if (p == Point(1, 1, 1))
         p = Point(1, far, 1);
     const HMO::Status status = optimized(mesh); // an interior vertex
-    EXPECT_EQ(status.number_of_turned_hexahedra(), 0u);
+    EXPECT_EQ(status.number_of_reoriented_hexahedra(), 0u);
     EXPECT_GT(status.before.number_of_invalid, 0u);
     EXPECT_LT(status.before.number_of_invalid, 8u);
     EXPECT_TRUE(status.valid_mesh() || std::abs(far) > 1e150); // whose square is no number any more

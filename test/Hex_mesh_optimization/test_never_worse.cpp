@@ -198,7 +198,7 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
   Indexed_mesh before = input, after = mesh;
   EXPECT_EQ(mesh.hexahedra, input.hexahedra);
   for (Indexed_mesh* m : {&before, &after})
-    for (std::size_t h : status.turned_hexahedra)
+    for (std::size_t h : status.reoriented_hexahedra)
       std::swap_ranges(m->hexahedra[h].begin(), m->hexahedra[h].begin() + 4, m->hexahedra[h].begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.hexahedra);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.hexahedra);

@@ -408,8 +408,8 @@ TEST_P(Optimize_hex_mesh, accepts_hexahedra_numbered_inside_out)
     std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
   const auto given = mirrored.hexahedra;
   const Status straight = optimize(mesh, rectification), reversed = optimize(mirrored, rectification);
-  EXPECT_EQ(straight.number_of_turned_hexahedra(), 0u);
-  EXPECT_EQ(reversed.number_of_turned_hexahedra(), mesh.hexahedra.size());
+  EXPECT_EQ(straight.number_of_reoriented_hexahedra(), 0u);
+  EXPECT_EQ(reversed.number_of_reoriented_hexahedra(), mesh.hexahedra.size());
   EXPECT_EQ(mirrored.points, mesh.points);
   EXPECT_EQ(mirrored.hexahedra, given);
   EXPECT_EQ(reversed.after.minimum, straight.after.minimum);
@@ -429,7 +429,7 @@ TEST_P(Optimize_hex_mesh, turns_single_hexahedra_that_are_inside_out)
   }
   const auto given = mirrored.hexahedra;
   const Status straight = optimize(mesh, rectification), turned = optimize(mirrored, rectification);
-  EXPECT_EQ(turned.turned_hexahedra, expected);
+  EXPECT_EQ(turned.reoriented_hexahedra, expected);
   EXPECT_EQ(mirrored.points, mesh.points);
   EXPECT_EQ(mirrored.hexahedra, given);
   EXPECT_EQ(turned.before.minimum, straight.before.minimum);

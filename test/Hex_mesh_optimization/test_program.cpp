@@ -165,7 +165,7 @@ TEST_F(Program, reports_every_iteration_in_json)
   const nlohmann::json& status = report["status"];
   EXPECT_TRUE(status["return_code"].is_string());
   EXPECT_EQ(status["valid_mesh"], true);
-  EXPECT_EQ(status["number_of_turned_hexahedra"], 0);
+  EXPECT_EQ(status["number_of_reoriented_hexahedra"], 0);
   EXPECT_EQ(status["number_of_coincident_vertices"], 0);
   EXPECT_EQ(report["lost"], nlohmann::json::array());
   EXPECT_EQ(status["invalid_hexahedra"], nlohmann::json::array());
@@ -330,7 +330,7 @@ TEST_F(Program, renumbers_hexahedra_that_are_inside_out)
   EXPECT_EQ(run("in.mesh out.mesh --json out.json"), 0);
   EXPECT_EQ(read("out.mesh").hexahedra, right.hexahedra);
   EXPECT_TRUE(contains(text("stdout"), "inside out"));
-  EXPECT_EQ(json("out.json")["status"]["number_of_turned_hexahedra"], 64);
+  EXPECT_EQ(json("out.json")["status"]["number_of_reoriented_hexahedra"], 64);
 }
 
 // One of them is written turned, in its place and with its label; the others stay.
@@ -348,7 +348,7 @@ TEST_F(Program, renumbers_a_single_hexahedron_that_is_inside_out)
   EXPECT_EQ(output.hexahedra, right.hexahedra);
   EXPECT_EQ(output.mesh_data.hexahedron_labels, mirrored.mesh_data.hexahedron_labels);
   EXPECT_TRUE(contains(text("stdout"), "1 hexahedra were numbered inside out"));
-  EXPECT_EQ(json("out.json")["status"]["turned_hexahedra"], nlohmann::json::array({21}));
+  EXPECT_EQ(json("out.json")["status"]["reoriented_hexahedra"], nlohmann::json::array({21}));
 }
 
 TEST_F(Program, says_which_vertices_coincide_and_merges_them_when_asked)

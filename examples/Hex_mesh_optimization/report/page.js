@@ -134,7 +134,7 @@ function fillNumbers() {
 
   const notes = (report.lost || []).map(line => `Not in the output: ${line}.`);
   const note = (n, one, many) => { if (n > 0) notes.push(plural(n, one, many)); };
-  note(status_.number_of_turned_hexahedra, "hexahedron was numbered inside out: its bottom and top are exchanged.", "hexahedra were numbered inside out: their bottoms and tops are exchanged.");
+  note(status_.number_of_reoriented_hexahedra, "hexahedron was numbered inside out: its bottom and top are exchanged.", "hexahedra were numbered inside out: their bottoms and tops are exchanged.");
   note(report.number_of_merged_vertices || 0, "vertex coincides with another one and was merged with it.", "vertices coincide with others and were merged with them.");
   note(status_.number_of_coincident_vertices, "vertex coincides with another one: faces are in the same place, but their hexahedra are no neighbors.", "vertices coincide with others: faces are in the same place, but their hexahedra are no neighbors.");
   note(status_.locked_hexahedra.length, "invalid hexahedron has an inverted corner whose vertices are all fixed.", "invalid hexahedra have an inverted corner whose vertices are all fixed.");

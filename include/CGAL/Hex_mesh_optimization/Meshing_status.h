@@ -35,11 +35,11 @@ struct Surface_report
   std::size_t number_of_bodies = 0;        ///< Pieces of the volume that do not hang together.
   std::ptrdiff_t euler_characteristic = 0; ///< Of the boundary of the volume.
 
-  std::size_t number_of_parts = 0;        ///< Closed parts of the surface.
-  std::size_t number_of_turned_parts = 0; ///< Those that were oriented inwards, and were taken outwards.
-  std::size_t number_of_copies = 0;       ///< Faces that are there again, and were taken once.
-  std::size_t number_without_area = 0;    ///< Faces that are not there, as they have no area.
-  std::size_t number_of_faces_within = 0; ///< Pieces of faces within the volume, or with nothing on both sides.
+  std::size_t number_of_parts = 0;            ///< Closed parts of the surface.
+  std::size_t number_of_reoriented_parts = 0; ///< Those that were oriented inwards, and were taken outwards.
+  std::size_t number_of_copies = 0;           ///< Faces that are there again, and were taken once.
+  std::size_t number_without_area = 0;        ///< Faces that are not there, as they have no area.
+  std::size_t number_of_faces_within = 0;     ///< Pieces of faces within the volume, or with nothing on both sides.
   std::size_t number_of_stitched_vertices =
     0;                                        ///< Vertices that were merged with, or put on the edge of, what was near.
   std::size_t number_of_aligned_vertices = 0; ///< Put into the planes where parts touch but for rounding.
@@ -52,7 +52,7 @@ struct Surface_report
   /// `true` if nothing was left out, closed or moved.
   bool is_taken_as_given() const
   {
-    return number_of_turned_parts == 0 && number_of_copies == 0 && number_without_area == 0 &&
+    return number_of_reoriented_parts == 0 && number_of_copies == 0 && number_without_area == 0 &&
            number_of_faces_within == 0 && number_of_stitched_vertices == 0 && number_of_aligned_vertices == 0 &&
            number_of_filled_holes == 0 && number_of_crumbs == 0;
   }

@@ -97,10 +97,10 @@ struct Status
   /// The hexahedra that were numbered inside out, in increasing order: they were taken with their bottom and top
   /// exchanged (the first four vertices with the last four), and the statistics refer to that numbering. The hexahedra
   /// that are connected through faces agree with each other, and the volume that their boundary encloses is positive.
-  std::vector<std::size_t> turned_hexahedra;
+  std::vector<std::size_t> reoriented_hexahedra;
 
-  /// The number of `turned_hexahedra`.
-  std::size_t number_of_turned_hexahedra() const { return turned_hexahedra.size(); }
+  /// The number of `reoriented_hexahedra`.
+  std::size_t number_of_reoriented_hexahedra() const { return reoriented_hexahedra.size(); }
 
   /// How many vertices would be gone if those were merged that faces of the boundary have in the same places: hexahedra
   /// with vertices of their own there are no neighbors. See `coincident_vertices()`.

@@ -224,7 +224,7 @@ void require_guarantees(Mesh before, Mesh after, const Regions& regions, const s
       fuzz::require(std::isfinite(after.points[v][d]), "coordinates are finite");
   }
   for (Mesh* m : {&before, &after})
-    for (std::size_t h : status.turned_hexahedra)
+    for (std::size_t h : status.reoriented_hexahedra)
       std::swap_ranges(m->hexahedra[h].begin(), m->hexahedra[h].begin() + 4, m->hexahedra[h].begin() + 4);
   const HMO::Quality_statistics a = HMO::quality_statistics(before.points, before.hexahedra);
   const HMO::Quality_statistics b = HMO::quality_statistics(after.points, after.hexahedra);

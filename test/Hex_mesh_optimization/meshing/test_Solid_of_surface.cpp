@@ -173,7 +173,7 @@ Reference_input random_part(Random& random)
   return moved(surface_of(mesh, 6 * unit()), size, 1.5 * Vector_3(unit(), unit(), unit()));
 }
 
-TEST(Solid_of_surface, of_random_turned_parts_is_what_corefinement_finds)
+TEST(Solid_of_surface, of_random_reoriented_parts_is_what_corefinement_finds)
 {
   Random random(3);
   for (int round = 0; round < 12; ++round) {

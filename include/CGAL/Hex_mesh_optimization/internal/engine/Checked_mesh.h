@@ -47,9 +47,9 @@ public:
     return quality_statistics(order.as_given(positions), given_hexahedra_);
   }
 
-  const std::vector<std::size_t> turned_hexahedra; // as the caller numbers them: bottom and top are exchanged
-  const std::size_t number_of_coincident_vertices; // that would be gone if vertices that coincide were merged
-  const Memory_order order;                        // in which all that follows is
+  const std::vector<std::size_t> reoriented_hexahedra; // as the caller numbers them: bottom and top are exchanged
+  const std::size_t number_of_coincident_vertices;     // that would be gone if vertices that coincide were merged
+  const Memory_order order;                            // in which all that follows is
   const Positions points;
   const Translations translations; // from vertices to those that move with them
   const Hexahedral_complex complex;
@@ -57,14 +57,14 @@ public:
 private:
   struct Numbering
   {
-    std::vector<std::size_t> turned_hexahedra;
+    std::vector<std::size_t> reoriented_hexahedra;
     std::size_t number_of_coincident_vertices;
     Memory_order order;
     std::vector<Hexahedron> hexahedra;
   };
 
   Checked_mesh(const Positions& given, const Regions& regions, Numbering numbering)
-    : turned_hexahedra(std::move(numbering.turned_hexahedra))
+    : reoriented_hexahedra(std::move(numbering.reoriented_hexahedra))
     , number_of_coincident_vertices(numbering.number_of_coincident_vertices)
     , order(std::move(numbering.order))
     , points(order.ordered(given))
@@ -80,11 +80,11 @@ private:
     check(regions.ties, points.size());
     const Face_neighbors neighbors(hexahedra);
     const Orientation orientation(points, hexahedra, neighbors);
-    std::vector<std::size_t> turned_hexahedra;
+    std::vector<std::size_t> reoriented_hexahedra;
     std::vector<Hexahedron> outwards = hexahedra;
     for (std::size_t h = 0; h < hexahedra.size(); ++h)
       if (orientation.is_turned()[h]) {
-        turned_hexahedra.push_back(h);
+        reoriented_hexahedra.push_back(h);
         outwards[h] = turned(hexahedra[h]);
       }
     const Hexahedral_complex complex(points.size(), outwards);
@@ -94,7 +94,7 @@ private:
     std::size_t number_of_coincident_vertices = 0;
     for (std::size_t v = 0; v < coincident.size(); ++v)
       number_of_coincident_vertices += coincident[v] != static_cast<int>(v);
-    return {std::move(turned_hexahedra), number_of_coincident_vertices, Memory_order(complex), std::move(outwards)};
+    return {std::move(reoriented_hexahedra), number_of_coincident_vertices, Memory_order(complex), std::move(outwards)};
   }
 
   static void check(const Positions& points, const std::vector<Hexahedron>& hexahedra)

@@ -51,7 +51,7 @@ public:
     , parameters_(parameters)
     , positions_(mesh.points)
   {
-    status.turned_hexahedra = mesh.turned_hexahedra;
+    status.reoriented_hexahedra = mesh.reoriented_hexahedra;
     status.number_of_coincident_vertices = mesh.number_of_coincident_vertices;
     status.before = mesh.statistics(mesh.points);
     std::vector<int> labels = mesh.complex.labels.empty() ? std::vector<int>(1, 0) : mesh.complex.labels;

@@ -79,7 +79,7 @@ private:
 
   static void shift(Status& part, std::size_t vertices, std::size_t of_hexahedra)
   {
-    for (std::vector<std::size_t>* list : {&part.invalid_hexahedra, &part.locked_hexahedra, &part.turned_hexahedra})
+    for (std::vector<std::size_t>* list : {&part.invalid_hexahedra, &part.locked_hexahedra, &part.reoriented_hexahedra})
       for (std::size_t& h : *list)
         h += of_hexahedra;
     for (std::size_t& v : part.released_vertices)
@@ -121,7 +121,7 @@ private:
     status.total_seconds += part.total_seconds;
     append(status.invalid_hexahedra, part.invalid_hexahedra);
     append(status.locked_hexahedra, part.locked_hexahedra);
-    append(status.turned_hexahedra, part.turned_hexahedra);
+    append(status.reoriented_hexahedra, part.reoriented_hexahedra);
     append(status.released_vertices, part.released_vertices);
     status.connectivity_limits.insert(status.connectivity_limits.end(), part.connectivity_limits.begin(),
                                       part.connectivity_limits.end());

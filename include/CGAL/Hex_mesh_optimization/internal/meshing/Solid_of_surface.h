@@ -109,7 +109,7 @@ public:
                    boundary.points == given.points;
     report_stitching(stitched);
     report.number_of_parts = parts->number_of_parts;
-    report.number_of_turned_parts = parts->number_of_turned_parts;
+    report.number_of_reoriented_parts = parts->number_of_reoriented_parts;
     report.number_of_aligned_vertices = boundary.number_of_aligned;
     report.number_of_faces_within = boundary.number_within + uncounted(*parts);
     separate_bodies(boundary, stitched, cell);

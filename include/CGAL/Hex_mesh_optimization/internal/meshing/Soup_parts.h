@@ -86,9 +86,9 @@ public:
   std::vector<Triangle_indices> triangles; // turned so that they belong together
   std::vector<int> part;                   // of each triangle; none: it bounds nothing, or the same on both sides
   std::size_t number_of_parts = 0;
-  std::size_t number_of_turned_parts = 0; // that were inside out
-  bool is_oriented_as_given = true;       // within each part
-  std::vector<int> cavities;              // parts that bound what is not inside
+  std::size_t number_of_reoriented_parts = 0; // that were inside out
+  bool is_oriented_as_given = true;           // within each part
+  std::vector<int> cavities;                  // parts that bound what is not inside
 
   static constexpr int none = -1;
 
@@ -337,10 +337,10 @@ private:
       if (may_have_cavities && is_oriented_as_given && volumes[p] * sign < 0 &&
           is_within_others(static_cast<int>(p), volumes, sign)) {
         cavities.push_back(static_cast<int>(p));
-        number_of_turned_parts += volumes[p] > 0;
+        number_of_reoriented_parts += volumes[p] > 0;
       }
       else
-        number_of_turned_parts += volumes[p] < 0;
+        number_of_reoriented_parts += volumes[p] < 0;
     }
     for (int p : cavities)
       for (int t : of_part_[p])
