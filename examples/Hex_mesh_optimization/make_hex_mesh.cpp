@@ -41,7 +41,7 @@ struct Options : Common_options
   std::string surface;
   std::size_t cells = of_meshing.number_of_hexahedra;
   double spacing = of_meshing.spacing;
-  std::size_t across = of_meshing.cells_across;
+  std::size_t across = of_meshing.minimum_cells_across;
   bool repair = false;
 };
 
@@ -84,7 +84,7 @@ Json json(const Options& o)
 HMO::Meshing_status make(const Soup& surface, const Options& o, Mesh& mesh, Watcher& watcher)
 {
   const auto np =
-    common_parameters(o, watcher).number_of_hexahedra(o.cells).grid_spacing(o.spacing).cells_across(o.across);
+    common_parameters(o, watcher).number_of_hexahedra(o.cells).grid_spacing(o.spacing).minimum_cells_across(o.across);
   return in_threads(o.threads, [&] {
     return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface.points, surface.triangles, mesh.points,
                                                                 mesh.hexahedra, np);

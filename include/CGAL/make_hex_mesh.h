@@ -55,12 +55,13 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   p.spacing = choose_parameter(get_parameter(np, internal_np::grid_spacing), p.spacing);
   p.number_of_hexahedra = choose_parameter(get_parameter(np, internal_np::hex_number_of_hexahedra),
                                            p.number_of_hexahedra);
-  p.cells_across = choose_parameter(get_parameter(np, internal_np::hex_cells_across), p.cells_across);
+  p.minimum_cells_across = choose_parameter(get_parameter(np, internal_np::hex_minimum_cells_across),
+                                            p.minimum_cells_across);
   p.features.angle_bound = choose_parameter(get_parameter(np, internal_np::features_angle_bound),
                                             p.features.angle_bound);
   require(p.spacing >= 0 && std::isfinite(p.spacing), "grid_spacing");
   require(p.number_of_hexahedra > 0, "number_of_hexahedra");
-  require(p.cells_across > 0, "cells_across");
+  require(p.minimum_cells_across > 0, "minimum_cells_across");
   return p;
 }
 
@@ -187,7 +188,7 @@ using Enable_for_new_ranges =
  *   \cgalParamNBegin{number_of_hexahedra}
  *     \cgalParamDescription{how many hexahedra the mesh has, within about a tenth. It has more where thin parts need them:
  *                           up to eight times as many if more than a hundredth of the surface would have less than
- *                           `cells_across` cells behind it}
+ *                           `minimum_cells_across` cells behind it}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{8000}
  *   \cgalParamNEnd
@@ -197,7 +198,7 @@ using Enable_for_new_ranges =
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{what makes the number of hexahedra}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{cells_across}
+ *   \cgalParamNBegin{minimum_cells_across}
  *     \cgalParamDescription{the number of cells that are wanted between opposite walls, not counting layers; see
  *                           `Voxel_status::thin_faces`}
  *     \cgalParamType{`std::size_t`}

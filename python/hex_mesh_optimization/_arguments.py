@@ -204,7 +204,7 @@ OPTIONS: Dict[str, Callable[[Any, str], Any]] = {
     "target_edge_length_map": target_edge_length_map,
     "number_of_hexahedra": lambda v, n: count(v, n, 1),
     "grid_spacing": number,
-    "cells_across": lambda v, n: count(v, n, 1),
+    "minimum_cells_across": lambda v, n: count(v, n, 1),
 }
 
 

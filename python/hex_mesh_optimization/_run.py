@@ -140,7 +140,7 @@ def make(
     max_deviation: float | None = None,
     number_of_hexahedra: int | None = None,
     grid_spacing: float | None = None,
-    cells_across: int | None = None,
+    minimum_cells_across: int | None = None,
     features_angle_bound: float | None = None,
     edge_is_constrained_map: npt.ArrayLike | None = None,
     fixed_boundary: bool | None = None,

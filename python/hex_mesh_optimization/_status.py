@@ -313,7 +313,7 @@ class Meshing_status(Status):
     number_of_bodies: int
     euler_characteristic: int
     volume_of_surface: float  #: what the surface as it was given bounds
-    thin_faces: Integers  #: triangles with fewer cells behind them than cells_across asks for
+    thin_faces: Integers  #: triangles with fewer cells behind them than minimum_cells_across asks for
 
     def as_dict(self) -> Dict[str, Any]:
         result = super().as_dict()

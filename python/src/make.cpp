@@ -38,7 +38,7 @@ py::tuple make(const py::array& vertices, const py::array& triangles, const py::
   const auto np = common_parameters(options, watcher)
                     .number_of_hexahedra(option(options, "number_of_hexahedra", defaults.number_of_hexahedra))
                     .grid_spacing(option(options, "grid_spacing", defaults.spacing))
-                    .cells_across(option(options, "cells_across", defaults.cells_across));
+                    .minimum_cells_across(option(options, "minimum_cells_across", defaults.minimum_cells_across));
   run(watcher, threads, [&] {
     status = features ? make_with(surface_points, surface_triangles, points, hexahedra,
                                   np.edge_is_constrained_map(boost::make_function_property_map<Edge>(

@@ -178,7 +178,7 @@ def test_options_are_given_by_name_alone() -> None:
         (VERTICES, TRIANGLES, {"cells": 8, "number_of_hexahedra": 8}, TypeError, "cells"),
         (VERTICES, TRIANGLES, {"cells": 8, "grid_spacing": 0.5}, TypeError, "grid_spacing"),
         (VERTICES, TRIANGLES, {"grid_spacing": -1.0}, hmo.Input_error, "grid_spacing"),
-        (VERTICES, TRIANGLES, {"cells_across": 0}, ValueError, "cells_across"),
+        (VERTICES, TRIANGLES, {"minimum_cells_across": 0}, ValueError, "minimum_cells_across"),
         (VERTICES, TRIANGLES, {"cells": 8.5}, TypeError, "number_of_hexahedra"),
         (VERTICES, TRIANGLES, {"edge_is_constrained_map": [[0, 7]]}, ValueError, "edge_is_constrained_map"),
         (VERTICES, TRIANGLES, {"labels": [0]}, TypeError, "labels"),

@@ -270,7 +270,7 @@ def test_feature_edges_are_given() -> None:
 def test_making_obeys_its_parameters() -> None:
     surface = cube_surface(1)
     coarse = hmo.make(*surface, grid_spacing=0.5)[1]
-    fine = hmo.make(*surface, number_of_hexahedra=200, cells_across=2, target_quality=0.2)[1]
+    fine = hmo.make(*surface, number_of_hexahedra=200, minimum_cells_across=2, target_quality=0.2)[1]
     assert len(coarse) < len(fine)
 
 

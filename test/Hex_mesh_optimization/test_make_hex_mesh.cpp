@@ -198,7 +198,7 @@ TEST(make_hex_mesh, refuses_parameters_and_surfaces_and_leaves_the_mesh)
   const Surface cube = surface_mesh(surface_of(block(1)));
   namespace np = CGAL::parameters;
   EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::grid_spacing(-1.)), HMO::Input_error);
-  EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::cells_across(0)), HMO::Input_error);
+  EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::minimum_cells_across(0)), HMO::Input_error);
   EXPECT_THROW(CGAL::make_hex_mesh(cube, mesh.points, mesh.hexahedra, np::number_of_hexahedra(0)), HMO::Input_error);
   EXPECT_EQ(mesh.points.size(), 1u);
 }

@@ -71,7 +71,7 @@ struct Voxel_status
   bool has_topology_of_surface = true;
 
   /// The faces of the surface, in increasing order, that have fewer cells between them and the opposite wall than
-  /// `cells_across` asks for: there thin parts are coarser than wanted, or lost.
+  /// `minimum_cells_across` asks for: there thin parts are coarser than wanted, or lost.
   std::vector<std::size_t> thin_faces;
 };
 

@@ -67,7 +67,7 @@ namespace CGAL {
  *     key}
  *     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{cells_across}
+ *   \cgalParamNBegin{minimum_cells_across}
  *     \cgalParamDescription{the number of cells that are wanted between opposite walls; see `Voxel_status::thin_faces`}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1}
@@ -95,10 +95,10 @@ Hex_mesh_optimization::Voxel_status voxel_mesh(const TriangleMesh& tmesh, double
   using namespace Hex_mesh_optimization::internal;
   Hex_mesh_optimization::Voxel_status status;
   if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>()) {
-    const std::size_t cells_across = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::hex_cells_across), Meshing_parameters().cells_across);
+    const std::size_t minimum_cells_across = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::hex_minimum_cells_across), Meshing_parameters().minimum_cells_across);
     require(spacing > 0 && std::isfinite(spacing), "spacing");
-    Meshed_surface mesh = voxelize_surface(triangle_mesh_to_reference(tmesh, np), spacing, cells_across);
+    Meshed_surface mesh = voxelize_surface(triangle_mesh_to_reference(tmesh, np), spacing, minimum_cells_across);
     assign_index_ranges(mesh.points, mesh.hexahedra, points, hexahedra);
     status = std::move(mesh.status);
   }

@@ -55,7 +55,7 @@ TEST(Hex_mesher, makes_more_where_parts_are_thin_or_says_so)
   }));
   Meshing_parameters parameters;
   parameters.number_of_hexahedra = 250;
-  parameters.cells_across = 2;
+  parameters.minimum_cells_across = 2;
   const Hex_mesher mesher(plate, parameters);
   EXPECT_GT(mesher.mesh.hexahedra.size(), 1000u);
   EXPECT_TRUE(mesher.thin_triangles.empty());

@@ -49,6 +49,6 @@ CGAL_add_named_parameter(hex_regularization_weight_t, hex_regularization_weight,
 CGAL_add_named_parameter(hex_cone_angle_bound_t, hex_cone_angle_bound, cone_angle_bound)
 CGAL_add_named_parameter(hex_maximize_minimum_quality_t, hex_maximize_minimum_quality, maximize_minimum_quality)
 CGAL_add_named_parameter(hex_number_of_hexahedra_t, hex_number_of_hexahedra, number_of_hexahedra)
-CGAL_add_named_parameter(hex_cells_across_t, hex_cells_across, cells_across)
+CGAL_add_named_parameter(hex_minimum_cells_across_t, hex_minimum_cells_across, minimum_cells_across)
 CGAL_add_named_parameter(hex_layer_thickness_t, hex_layer_thickness, layer_thickness)
 #endif

@@ -59,7 +59,7 @@ public:
                                             : spacing_for(enclosed_volume(reference.points, reference.triangles),
                                                           surface_area(reference.points, reference.triangles), wanted_);
     measure_walls(h);
-    is_shell_ = parameters.cells_across == 1 &&
+    is_shell_ = parameters.minimum_cells_across == 1 &&
                 thin_part(walls_, parameters.shell_thickness * h) > parameters.least_shell_area;
     if (is_shell_) {
       make_shell(h);
@@ -166,7 +166,7 @@ private:
   double thin_spacing(double h)
   {
     const double thinnest = distance_of_thinnest(walls_, parameters_.tolerated_thin_area);
-    const double needed = thinnest / double(parameters_.cells_across);
+    const double needed = thinnest / double(parameters_.minimum_cells_across);
     if (needed >= h)
       return h;
     const double excess = (std::min)(std::pow(h / needed, 2.5), parameters_.most_excess);
@@ -233,7 +233,7 @@ private:
   {
     spacing = grid.mean_spacing();
     has_topology_of_surface = euler_characteristic(grid) == euler_characteristic(reference_.triangles);
-    thin_triangles = internal::thin_triangles(walls_, grid, parameters_.cells_across);
+    thin_triangles = internal::thin_triangles(walls_, grid, parameters_.minimum_cells_across);
   }
 
   void make(const Voxel_grid& grid, double h)

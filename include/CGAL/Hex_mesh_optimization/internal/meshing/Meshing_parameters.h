@@ -25,7 +25,7 @@ struct Meshing_parameters
 {
   double spacing = 0;                     // length of the cells; 0: what makes the number of hexahedra
   std::size_t number_of_hexahedra = 8000; // wanted
-  std::size_t cells_across = 1;           // wanted between opposite walls
+  std::size_t minimum_cells_across = 1;   // wanted between opposite walls
   Feature_parameters features;
   Grid_parameters grid;
   Annealing_parameters annealing;

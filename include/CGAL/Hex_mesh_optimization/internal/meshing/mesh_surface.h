@@ -71,7 +71,7 @@ CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters& parameters);
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
-Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across);
+Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t minimum_cells_across);
 
 // The same body once more, with so many times the hexahedra; none if that has not its topology.
 CGAL_HEX_MESH_OPTIMIZATION_INLINE

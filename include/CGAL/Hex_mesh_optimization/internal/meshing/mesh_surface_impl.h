@@ -98,7 +98,7 @@ Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
-Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t cells_across)
+Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t minimum_cells_across)
 {
   require_volume(surface);
   const Triangle_surface solid(surface.points, surface.triangles);
@@ -109,7 +109,7 @@ Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, 
   return {std::move(mesh.points),
           std::move(mesh.hexahedra),
           {grid.mean_spacing(), euler_characteristic(grid) == euler_characteristic(surface.triangles),
-           thin_triangles(walls, grid, cells_across)}};
+           thin_triangles(walls, grid, minimum_cells_across)}};
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE

@@ -37,11 +37,12 @@ inline std::vector<std::size_t> cells_behind(const Wall_distance& p, const Voxel
 
 // The triangles of a surface that have fewer cells of the grid behind them, up to the opposite wall, than wanted; sorted.
 inline std::vector<std::size_t> thin_triangles(const std::vector<Wall_distance>& places, const Voxel_grid& grid,
-                                               std::size_t cells_across)
+                                               std::size_t minimum_cells_across)
 {
   std::vector<std::size_t> result;
   for (const Wall_distance& p : places)
-    if (p.distance < 2 * double(cells_across) * grid.mean_spacing() && cells_behind(p, grid).size() < cells_across)
+    if (p.distance < 2 * double(minimum_cells_across) * grid.mean_spacing() &&
+        cells_behind(p, grid).size() < minimum_cells_across)
       result.push_back(p.triangle);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
