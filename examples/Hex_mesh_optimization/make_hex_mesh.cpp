@@ -235,7 +235,7 @@ Json json(const HMO::Meshing_status& status, const Mesh& mesh, const HMO::Surfac
   Json result = json(static_cast<const HMO::Status&>(status), mesh);
   result["spacing"] = status.spacing;
   result["has_topology_of_surface"] = status.has_topology_of_surface;
-  result["is_true_to_surface"] = status.is_true_to_surface();
+  result["matches_surface"] = status.matches_surface();
   result["number_of_bodies"] = status.number_of_bodies;
   result["euler_characteristic"] = status.euler_characteristic;
   result["thin_faces"] = status.thin_faces;
@@ -279,9 +279,8 @@ Exit_code run(const Options& options)
     write_json(options.json, report);
   if (!options.report.empty())
     write_page(options, surface, mesh, status, report);
-  return status.valid_mesh() && status.is_within_deviation_bound() && status.is_true_to_surface()
-           ? ALL_IS_MET
-           : SOMETHING_IS_NOT_MET;
+  return status.valid_mesh() && status.is_within_deviation_bound() && status.matches_surface() ? ALL_IS_MET
+                                                                                               : SOMETHING_IS_NOT_MET;
 }
 
 int main(int argc, char** argv)

@@ -309,7 +309,7 @@ class Meshing_status(Status):
 
     spacing: float  #: the length of the cells
     has_topology_of_surface: bool
-    is_true_to_surface: bool  #: volume, bodies, Euler characteristic and distance are what the cells explain
+    matches_surface: bool  #: volume, bodies, Euler characteristic and distance are what the cells explain
     number_of_bodies: int
     euler_characteristic: int
     volume_of_surface: float  #: what the surface as it was given bounds
@@ -319,7 +319,7 @@ class Meshing_status(Status):
         result = super().as_dict()
         result["spacing"] = self.spacing
         result["has_topology_of_surface"] = self.has_topology_of_surface
-        for name in ("is_true_to_surface", "number_of_bodies", "euler_characteristic", "volume_of_surface"):
+        for name in ("matches_surface", "number_of_bodies", "euler_characteristic", "volume_of_surface"):
             result[name] = getattr(self, name)
         result["thin_faces"] = self.thin_faces.tolist()
         return result
@@ -331,7 +331,7 @@ class Meshing_status(Status):
                 "THE MESH HAS NOT THE TOPOLOGY OF THE SURFACE: holes are closed, walls have holes, or parts are lost; "
                 f"the spacing, {self.spacing:.4g}, is too large for them."
             )
-        if not self.is_true_to_surface:
+        if not self.matches_surface:
             result.append(
                 f"THE MESH IS NOT TRUE TO THE SURFACE: its volume is {self.volume_after:.6g}, that of the surface "
                 f"{self.volume_of_surface:.6g}; it has {self.number_of_bodies} bodies."

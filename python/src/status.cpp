@@ -138,7 +138,7 @@ void add_to(py::dict& dict, const HMO::Meshing_status& status)
 {
   dict["spacing"] = status.spacing;
   dict["has_topology_of_surface"] = status.has_topology_of_surface;
-  dict["is_true_to_surface"] = status.is_true_to_surface();
+  dict["matches_surface"] = status.matches_surface();
   dict["number_of_bodies"] = status.number_of_bodies;
   dict["euler_characteristic"] = status.euler_characteristic;
   dict["volume_of_surface"] = status.surface.volume;

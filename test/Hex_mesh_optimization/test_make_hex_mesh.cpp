@@ -156,7 +156,7 @@ TEST(make_hex_mesh, of_parts_that_overlap_is_true_to_their_union)
   const auto status = CGAL::make_hex_mesh(points, triangles, mesh.points, mesh.hexahedra,
                                           CGAL::parameters::number_of_hexahedra(800));
   EXPECT_TRUE(status.valid_mesh());
-  EXPECT_TRUE(status.is_true_to_surface());
+  EXPECT_TRUE(status.matches_surface());
   EXPECT_NEAR(status.surface.volume, 6, 1e-9);
   EXPECT_NEAR(status.volume_after, 6, 1e-3);
 }
@@ -170,7 +170,7 @@ TEST(make_hex_mesh, of_bodies_closer_than_a_cell_has_as_many_and_lists_hexahedra
   Mesh mesh;
   const auto status = CGAL::make_hex_mesh(points, triangles, mesh.points, mesh.hexahedra,
                                           CGAL::parameters::number_of_hexahedra(400));
-  EXPECT_TRUE(status.is_true_to_surface());
+  EXPECT_TRUE(status.matches_surface());
   EXPECT_EQ(status.number_of_bodies, 2u);
   EXPECT_EQ(status.euler_characteristic, 4);
   EXPECT_EQ(status.after.number_of_hexahedra, mesh.hexahedra.size());

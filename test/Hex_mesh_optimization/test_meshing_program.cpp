@@ -119,7 +119,7 @@ TEST_F(Meshing_program, takes_parts_that_cross_and_tells_what_it_took)
   const nlohmann::json status = nlohmann::json::parse(text("report.json"))["status"];
   EXPECT_NEAR(status["surface"]["volume"].get<double>(), 1 + 3.375 - .125, 1e-9);
   EXPECT_NEAR(status["volume_after"].get<double>(), 4.25, .02);
-  EXPECT_EQ(status["is_true_to_surface"], true);
+  EXPECT_EQ(status["matches_surface"], true);
 }
 
 TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)

@@ -93,7 +93,7 @@ struct Meshing_status : Status, Voxel_status
 
   /// `true` if the mesh has as many bodies as the surface bounds, the Euler characteristic of their boundary, their volume
   /// within `volume_tolerance()`, and is nowhere farther from the surface than a cell is long.
-  bool is_true_to_surface() const
+  bool matches_surface() const
   {
     return number_of_bodies == surface.number_of_bodies && has_topology_of_surface &&
            euler_characteristic == surface.euler_characteristic &&
