@@ -277,8 +277,8 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
               << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
               << ": the maximum is between " << text(status.deviation.maximum) << " and "
               << text(status.deviation.certified) << ", the bound " << text(status.deviation_bound) << ".\n";
-  if (!status.released_vertices.empty())
-    std::cout << text(status.released_vertices.size())
+  if (!status.vertices_off_reference.empty())
+    std::cout << text(status.vertices_off_reference.size())
               << " vertices could not be brought to the corners, curves or faces of the reference"
               << " that they belong to (--json lists them).\n";
   print_connectivity_limits(status);

@@ -228,7 +228,7 @@ Json json(const HMO::Status& status, const Center& center, const Labels& labels)
           {"deviation_bound", status.deviation_bound},
           {"invalid_hexahedra", invalid},
           {"locked_hexahedra", status.locked_hexahedra},
-          {"released_vertices", status.released_vertices},
+          {"vertices_off_reference", status.vertices_off_reference},
           {"connectivity_limits", limits}};
 }
 

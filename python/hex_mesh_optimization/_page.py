@@ -75,7 +75,7 @@ def _report_of_meshes(before: Tuple[Array, Array], after: Tuple[Array, Array]) -
             for h in _engine.invalid(*after).tolist()
         ],
         "locked_hexahedra": [],
-        "released_vertices": [],
+        "vertices_off_reference": [],
         "connectivity_limits": [],
     }
 

@@ -208,7 +208,7 @@ class Status:
     total_seconds: float
     invalid_hexahedra: Integers
     locked_hexahedra: Integers
-    released_vertices: Integers
+    vertices_off_reference: Integers
     connectivity_limits: List[Connectivity_limit]
     reoriented_hexahedra: Integers  #: whose first four vertices are to be exchanged with the last four, see turned()
     number_of_coincident_vertices: int
@@ -269,9 +269,9 @@ class Status:
                 f"THE BOUND OF THE DEVIATION IS NOT SHOWN TO BE MET: the maximum is between "
                 f"{self.deviation.maximum:.4g} and {self.deviation.certified:.4g}."
             )
-        if len(self.released_vertices) > 0:
+        if len(self.vertices_off_reference) > 0:
             result.append(
-                f"{len(self.released_vertices)} vertices could not be brought to where they belong (released_vertices)."
+                f"{len(self.vertices_off_reference)} vertices could not be brought to where they belong (vertices_off_reference)."
             )
         reached = sum(limit.is_reached for limit in self.connectivity_limits)
         if reached > 0:

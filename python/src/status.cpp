@@ -120,7 +120,7 @@ py::dict as_dict(const HMO::Status& s, const Points& points, const Table& hexahe
   result["total_seconds"] = s.total_seconds;
   result["invalid_hexahedra"] = as_array(s.invalid_hexahedra);
   result["locked_hexahedra"] = as_array(s.locked_hexahedra);
-  result["released_vertices"] = as_array(s.released_vertices);
+  result["vertices_off_reference"] = as_array(s.vertices_off_reference);
   result["connectivity_limits"] = limits(s);
   result["reoriented_hexahedra"] = as_array(s.reoriented_hexahedra);
   result["number_of_coincident_vertices"] = s.number_of_coincident_vertices;

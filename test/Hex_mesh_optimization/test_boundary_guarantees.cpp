@@ -211,7 +211,7 @@ void expect_on_surface(const Indexed_mesh& intact)
         EXPECT_LT(distance(mesh.points[v], reference), 1e-10 * intact.mean_edge_length())
           << "vertex " << v << ", seed " << seed;
       }
-    EXPECT_TRUE(status.released_vertices.empty()) << "seed " << seed;
+    EXPECT_TRUE(status.vertices_off_reference.empty()) << "seed " << seed;
   }
 }
 
@@ -242,7 +242,7 @@ TEST(Boundary_guarantees, a_corner_out_of_reach_is_released)
                                                   .vertex_is_constrained_map(Marked_vertices{&is_frozen}));
   EXPECT_TRUE(status.valid_mesh());
   EXPECT_GT(status.after.minimum, .05);
-  EXPECT_EQ(status.released_vertices, std::vector<std::size_t>{corner});
+  EXPECT_EQ(status.vertices_off_reference, std::vector<std::size_t>{corner});
   EXPECT_NE(status.return_code, HMO::Return_code::TARGET_QUALITY_REACHED);
 }
 

@@ -307,7 +307,7 @@ function fillPlaces(viewer) {
   const hexahedronColumns = [{ name: "hexahedron" }, { name: "before" }, { name: "after" }];
   const qualities = h => [formats.quality(before.jacobians[h]), formats.quality(after.jacobians[h])];
 
-  const { invalid_hexahedra: invalid, released_vertices: released, connectivity_limits: limits } = status_;
+  const { invalid_hexahedra: invalid, vertices_off_reference: released, connectivity_limits: limits } = status_;
   addPlaces(viewer, "Invalid hexahedra", invalid.length, [...hexahedronColumns, { name: "center", isText: true }],
     i => [hexahedron(invalid[i].id), ...qualities(invalid[i].id), inSpace(invalid[i].center)]);
   const order = Array.from(after.jacobians.keys()).sort((a, b) => after.jacobians[a] - after.jacobians[b]).slice(0, 200);

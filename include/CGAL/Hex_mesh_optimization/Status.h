@@ -88,7 +88,7 @@ struct Status
   /// `Boundary_placement::ON_SURFACE`, on its curves and faces, in increasing order: hexahedra that have them would
   /// have been ruined, or the run ended before they arrived. With `Boundary_placement::ON_SURFACE`, those that belong to
   /// corners and curves stand on the surface all the same, if hexahedra can hold them there.
-  std::vector<std::size_t> released_vertices;
+  std::vector<std::size_t> vertices_off_reference;
 
   /// The hexahedra that are no better than a limit that the connectivity sets, whether they reach it or not, in
   /// increasing order.

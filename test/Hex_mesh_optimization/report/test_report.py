@@ -136,7 +136,7 @@ class Page:
             "return Array.from(document.querySelectorAll('#places details'), d => [d.textContent, d.dataset.count])")}
         status = self.report["status"]
         for title, member in (("Invalid hexahedra", "invalid_hexahedra"),
-                              ("Released vertices, which are not on the corner, curve or face that they belong to", "released_vertices"),
+                              ("Released vertices, which are not on the corner, curve or face that they belong to", "vertices_off_reference"),
                               ("Hexahedra that the connectivity limits", "connectivity_limits"),
                               ("Faces of the surface that are thin for the spacing", "thin_faces")):
             self.assertEqual(counts.get(title, 0), len(status.get(member, [])))
@@ -209,11 +209,11 @@ class Stopped(Page, unittest.TestCase):
             "--json", cls.json, "--report", cls.page)
 
     def test_there_are_places(self):
-        for member in ("invalid_hexahedra", "released_vertices"):
+        for member in ("invalid_hexahedra", "vertices_off_reference"):
             self.assertGreater(len(self.report["status"][member]), 0)
 
     def test_a_released_vertex_is_shown(self):
-        vertex = self.report["status"]["released_vertices"][0]
+        vertex = self.report["status"]["vertices_off_reference"][0]
         before = self.picture()
         details = next(d for d in self.all("#places details") if d.text.startswith("Released"))
         details.find_element(By.TAG_NAME, "summary").click()

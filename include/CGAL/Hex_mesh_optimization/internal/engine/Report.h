@@ -92,8 +92,8 @@ public:
           status.locked_hexahedra.push_back(mesh_.order.given_hexahedron(h));
       }
     for (int v : sliding(positions_).vertices_away())
-      status.released_vertices.push_back(mesh_.order.given_vertex(v));
-    std::sort(status.released_vertices.begin(), status.released_vertices.end());
+      status.vertices_off_reference.push_back(mesh_.order.given_vertex(v));
+    std::sort(status.vertices_off_reference.begin(), status.vertices_off_reference.end());
     for (Connectivity_limit limit : connectivity_limits(mesh_.complex, model_.attachment)) {
       limit.scaled_jacobian = scaled_jacobian(
         hexahedron_coordinates(positions_, mesh_.complex.hexahedra[limit.hexahedron]));

@@ -82,7 +82,7 @@ private:
     for (std::vector<std::size_t>* list : {&part.invalid_hexahedra, &part.locked_hexahedra, &part.reoriented_hexahedra})
       for (std::size_t& h : *list)
         h += of_hexahedra;
-    for (std::size_t& v : part.released_vertices)
+    for (std::size_t& v : part.vertices_off_reference)
       v += vertices;
     for (Connectivity_limit& limit : part.connectivity_limits)
       limit.hexahedron += of_hexahedra;
@@ -122,7 +122,7 @@ private:
     append(status.invalid_hexahedra, part.invalid_hexahedra);
     append(status.locked_hexahedra, part.locked_hexahedra);
     append(status.reoriented_hexahedra, part.reoriented_hexahedra);
-    append(status.released_vertices, part.released_vertices);
+    append(status.vertices_off_reference, part.vertices_off_reference);
     status.connectivity_limits.insert(status.connectivity_limits.end(), part.connectivity_limits.begin(),
                                       part.connectivity_limits.end());
     status.number_of_coincident_vertices += part.number_of_coincident_vertices;
