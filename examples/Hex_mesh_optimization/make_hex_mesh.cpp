@@ -157,8 +157,9 @@ void print(const HMO::Surface_report& surface)
       "holes smaller than a cell were closed, the largest " + text(surface.largest_filled_hole) + " across");
   say(surface.number_of_reoriented_parts, "closed parts were inside out, and were taken the right way round");
   say(surface.number_of_faces_within, "pieces of faces are inside of the volume, or bound none, and were left out");
-  say(surface.number_of_crumbs, "bodies or cavities of less than a thousandth of a cell were left out, their volume " +
-                                  text(surface.volume_of_crumbs));
+  say(surface.number_of_small_components,
+      "bodies or cavities of less than a thousandth of a cell were left out, their volume " +
+        text(surface.volume_of_small_components));
   if (surface.number_of_parts > 1)
     std::cout << "Surface: its " << surface.number_of_parts << " closed parts bound " << surface.number_of_bodies
               << (surface.number_of_bodies == 1 ? " body.\n" : " bodies.\n");
@@ -216,8 +217,8 @@ Json json(const HMO::Surface_report& s)
           {"farthest_moved", s.farthest_moved},
           {"number_of_filled_holes", s.number_of_filled_holes},
           {"largest_filled_hole", s.largest_filled_hole},
-          {"number_of_crumbs", s.number_of_crumbs},
-          {"volume_of_crumbs", s.volume_of_crumbs}};
+          {"number_of_small_components", s.number_of_small_components},
+          {"volume_of_small_components", s.volume_of_small_components}};
 }
 
 Json json(const HMO::Surface_repair& r)

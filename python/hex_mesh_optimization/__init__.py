@@ -16,7 +16,7 @@ from ._engine import version as __version__
 from ._errors import Hex_mesh_file_error, Input_error, Interrupted
 from ._files import Lost_data_warning, Mesh, read, read_surface, write
 from ._page import Page, show
-from ._run import invalid, make, optimize, quality, statistics, turned
+from ._run import invalid, make, optimize, quality, reoriented, statistics
 from ._status import (
     Boundary_placement,
     Connectivity_limit,
@@ -69,8 +69,8 @@ __all__ = [
     "read",
     "read_surface",
     "show",
+    "reoriented",
     "statistics",
-    "turned",
     "write",
 ]
 

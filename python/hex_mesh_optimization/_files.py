@@ -16,7 +16,7 @@ import numpy.typing as npt
 from . import _arguments as arguments
 from . import _engine
 from ._errors import Input_error, naming_argument
-from ._run import turned
+from ._run import reoriented
 from ._status import Status
 from ._types import Array, Floats, Integers
 
@@ -104,7 +104,7 @@ def write(
         raise ValueError(f"points: {len(old_points)} expected, as many as the mesh has, not {len(new_points)}")
     hexahedra = arguments.hexahedra(mesh.hexahedra, "mesh.hexahedra")
     if status is not None:
-        hexahedra = turned(hexahedra, status)
+        hexahedra = reoriented(hexahedra, status)
     labels = [] if mesh.labels is None else arguments.labels(mesh.labels, len(hexahedra), "mesh.labels").tolist()
     try:
         lost = _engine.write(os.fspath(filename), new_points, hexahedra, mesh._content, labels)

@@ -25,7 +25,7 @@ from ._status import (
 )
 from ._types import Array, Floats, Integers, Surface
 
-__all__ = ["invalid", "make", "optimize", "quality", "statistics", "turned"]
+__all__ = ["invalid", "make", "optimize", "quality", "reoriented", "statistics"]
 
 _OF_MESH = {
     "VERTEX": "points",
@@ -220,7 +220,7 @@ def statistics(points: npt.ArrayLike, hexahedra: npt.ArrayLike) -> Quality_stati
         raise naming_argument(error, _OF_MESH) from None
 
 
-def turned(hexahedra: npt.ArrayLike, status: Status) -> Array:
+def reoriented(hexahedra: npt.ArrayLike, status: Status) -> Array:
     """A copy of the hexahedra in which those that were numbered inside out are not any more."""
     result = np.array(arguments.hexahedra(hexahedra))
     inside_out = status.reoriented_hexahedra

@@ -210,7 +210,7 @@ class Status:
     locked_hexahedra: Integers
     vertices_off_reference: Integers
     connectivity_limits: List[Connectivity_limit]
-    reoriented_hexahedra: Integers  #: whose first four vertices are to be exchanged with the last four, see turned()
+    reoriented_hexahedra: Integers  #: whose first four vertices are to be exchanged with the last four, see reoriented()
     number_of_coincident_vertices: int
     history: List[Iteration]  #: every iteration, for plots of the convergence
     why_it_stopped: str  #: in words

@@ -317,5 +317,5 @@ def test_hexahedra_that_are_inside_out_are_told_of(tangled: Mesh) -> None:
     mixed[[3, 5]] = mixed[[3, 5]][:, [4, 5, 6, 7, 0, 1, 2, 3]]
     result, status = hmo.optimize(points, mixed)
     assert status.reoriented_hexahedra.tolist() == [3, 5] and status.number_of_reoriented_hexahedra == 2
-    assert np.array_equal(hmo.turned(mixed, status), hexahedra)
+    assert np.array_equal(hmo.reoriented(mixed, status), hexahedra)
     assert np.array_equal(result, expected)

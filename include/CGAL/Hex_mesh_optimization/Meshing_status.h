@@ -46,15 +46,15 @@ struct Surface_report
   double farthest_moved = 0;                  ///< The farthest that one of these moved, a length.
   std::size_t number_of_filled_holes = 0;     ///< Holes smaller than a cell, which were closed.
   double largest_filled_hole = 0;             ///< How large the largest of them is, a length.
-  std::size_t number_of_crumbs = 0;           ///< Bodies and cavities of less than a thousandth of a cell: left out.
-  double volume_of_crumbs = 0;                ///< Their volume, that of cavities negative.
+  std::size_t number_of_small_components = 0; ///< Bodies and cavities of less than a thousandth of a cell: left out.
+  double volume_of_small_components = 0;      ///< Their volume, that of cavities negative.
 
   /// `true` if nothing was left out, closed or moved.
   bool is_taken_as_given() const
   {
     return number_of_reoriented_parts == 0 && number_of_copies == 0 && number_without_area == 0 &&
            number_of_faces_within == 0 && number_of_stitched_vertices == 0 && number_of_aligned_vertices == 0 &&
-           number_of_filled_holes == 0 && number_of_crumbs == 0;
+           number_of_filled_holes == 0 && number_of_small_components == 0;
   }
 };
 

@@ -213,8 +213,8 @@ private:
     for (std::vector<int>& shell : shells) {
       const double volume = enclosed_volume(boundary.points, triangles_of(boundary, shell));
       if (std::abs(volume) < least && shells.size() > 1) {
-        ++report.number_of_crumbs;
-        report.volume_of_crumbs += volume;
+        ++report.number_of_small_components;
+        report.volume_of_small_components += volume;
       }
       else
         (volume > 0 ? outer : cavities).emplace_back(std::abs(volume), std::move(shell));
