@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Hex_mesh_optimization authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs another program beside optimize_hex_mesh on the same files and prints, as CSV, quality and cost of both.
+"""Runs another program and optimize_hex_mesh on the same files and prints, as CSV, quality and cost of both.
 
 compare.py --other "PROGRAM {in} {out}" [--ours "build/bin/optimize_hex_mesh {in} {out}"] [--output-extension .mesh]
            [--pages FOLDER] FILE ...
@@ -53,7 +53,7 @@ def measure(file, name, template, output):
 def write_page(file, ours, other, page):
     """Runs the optimizer once more: what the page costs is in no table."""
     remove(page)
-    subprocess.run([*fill_in(arguments.ours, file, ours), "--report", page, "--beside", other], stdout=subprocess.DEVNULL)
+    subprocess.run([*fill_in(arguments.ours, file, ours), "--report", page, "--compare", other], stdout=subprocess.DEVNULL)
     return os.path.exists(page)
 
 

@@ -41,7 +41,7 @@ struct Options : Common_options
   std::string surface;
   std::size_t cells = of_meshing.number_of_hexahedra;
   double spacing = of_meshing.spacing;
-  std::size_t across = of_meshing.minimum_cells_across;
+  std::size_t minimum_cells_across = of_meshing.minimum_cells_across;
   bool repair = false;
 };
 
@@ -62,7 +62,7 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("LENGTH")
     ->check(CLI::PositiveNumber.description(""))
     ->excludes(cells);
-  app.add_option("--across", o.across, "how many cells to have between opposite walls")
+  app.add_option("--min-cells-across", o.minimum_cells_across, "how many cells to have between opposite walls")
     ->type_name("N")
     ->check(CLI::Range(std::size_t(1), std::size_t(1000)).description(""))
     ->capture_default_str();
@@ -76,15 +76,17 @@ Json json(const Options& o)
   return with_common_options({{"surface", o.surface},
                               {"cells", o.spacing > 0 ? Json() : Json(o.cells)},
                               {"spacing", o.spacing > 0 ? Json(o.spacing) : Json()},
-                              {"across", o.across},
+                              {"minimum_cells_across", o.minimum_cells_across},
                               {"repair", o.repair}},
                              o);
 }
 
 HMO::Meshing_status make(const Soup& surface, const Options& o, Mesh& mesh, Watcher& watcher)
 {
-  const auto np =
-    common_parameters(o, watcher).number_of_hexahedra(o.cells).grid_spacing(o.spacing).minimum_cells_across(o.across);
+  const auto np = common_parameters(o, watcher)
+                    .number_of_hexahedra(o.cells)
+                    .grid_spacing(o.spacing)
+                    .minimum_cells_across(o.minimum_cells_across);
   return in_threads(o.threads, [&] {
     return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface.points, surface.triangles, mesh.points,
                                                                 mesh.hexahedra, np);
@@ -196,9 +198,10 @@ void print_number(const Options& o, const HMO::Meshing_status& status, std::size
   if (wanted > 0 && made < wanted / 1.3)
     std::cout << "There are fewer hexahedra than asked for: the cells along flat sides come in whole numbers.\n";
   if (!status.thin_faces.empty())
-    std::cout << status.thin_faces.size() << " of " << faces << " faces of the surface have less than " << o.across
-              << (o.across == 1 ? " cell" : " cells") << " behind them: parts there are thin for the spacing, "
-              << text(status.spacing) << (o.json.empty() ? " (--json lists them)" : "") << ".\n";
+    std::cout << status.thin_faces.size() << " of " << faces << " faces of the surface have less than "
+              << o.minimum_cells_across << (o.minimum_cells_across == 1 ? " cell" : " cells")
+              << " behind them: parts there are thin for the spacing, " << text(status.spacing)
+              << (o.json.empty() ? " (--json lists them)" : "") << ".\n";
 }
 
 Json json(const HMO::Surface_report& s)

@@ -51,8 +51,8 @@ const char* const exit_codes =
 
 struct Options : Common_options
 {
-  std::string input, reference, frozen, label_array, beside;
-  std::vector<std::string> fixed_sets, interior_surfaces; // names of sets of the file
+  std::string input, reference, fixed_vertices, label_array, compared;
+  std::vector<std::string> fixed_sets, internal_faces; // names of sets of the file
   bool info = false;
   std::vector<std::tuple<std::int64_t, std::int64_t, std::string>> interfaces; // labels, the file of a surface
   bool merge = false;
@@ -75,7 +75,7 @@ void add_options_of_solver_files(CLI::App& app, Options& o)
                 "do not move the vertices of this set of the file (node set, side set, group, patch); once for each")
     ->type_name("NAME");
   app
-    .add_option("--interior-surface", o.interior_surfaces,
+    .add_option("--internal-faces", o.internal_faces,
                 "keep the faces of this set within the mesh as an interface; once for each")
     ->type_name("NAME");
 }
@@ -104,7 +104,9 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("LABEL LABEL SURFACE");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
   add_options_of_solver_files(app, o);
-  app.add_option("--frozen", o.frozen, "a text file with the numbers of vertices not to move, one a line")
+  app
+    .add_option("--fixed-vertices", o.fixed_vertices,
+                "a text file with the numbers of vertices not to move, one a line")
     ->type_name("FILE");
   app
     .add_option(
@@ -130,7 +132,8 @@ void add_options(CLI::App& app, Options& o)
     ->capture_default_str();
   add_common_options(app, o);
   app
-    .add_option("--beside", o.beside, "what another program made of INPUT, to be shown on the page of --report as well")
+    .add_option("--compare", o.compared,
+                "what another program made of INPUT, to be shown on the page of --report as well")
     ->type_name("MESH")
     ->needs(app.get_option("--report"));
 }
@@ -224,7 +227,7 @@ std::vector<std::array<std::size_t, 4>> kept_faces(const Mesh& mesh, const Optio
   if (!mesh.file)
     return labelled_faces(mesh.mesh_data);
   std::vector<std::array<std::size_t, 4>> result;
-  for (const std::string& name : o.interior_surfaces) {
+  for (const std::string& name : o.internal_faces) {
     const CGAL::IO::Hex_mesh_set& set = named_set(mesh, o, name);
     if (set.faces.empty())
       throw CGAL::IO::Hex_mesh_file_error(o.input, 0, "the set \"" + name + "\" has no quadrilaterals");
@@ -243,7 +246,7 @@ using Interfaces = std::vector<std::pair<std::array<int, 2>, Surface>>; // betwe
 // What comes in.
 struct Input
 {
-  Mesh mesh, beside;
+  Mesh mesh, compared;
   Surface reference;
   Labels labels;
   Interfaces interfaces;
@@ -257,24 +260,24 @@ struct Freedom
   bool holds_periodic = false; // those that would move together otherwise
 };
 
-std::set<std::size_t> frozen_vertices(const Mesh& mesh, const Options& o, const Freedom& freedom)
+std::set<std::size_t> fixed_vertices(const Mesh& mesh, const Options& o, const Freedom& freedom)
 {
-  std::set<std::size_t> frozen;
-  if (!o.frozen.empty())
-    frozen = read_vertices(o.frozen, mesh.points.size());
+  std::set<std::size_t> fixed;
+  if (!o.fixed_vertices.empty())
+    fixed = read_vertices(o.fixed_vertices, mesh.points.size());
   for (const std::string& name : o.fixed_sets) {
     const CGAL::IO::Hex_mesh_set& set = named_set(mesh, o, name);
-    frozen.insert(set.vertices.begin(), set.vertices.end());
+    fixed.insert(set.vertices.begin(), set.vertices.end());
   }
   if (mesh.file)
-    frozen.insert(mesh.file->held_points.begin(), mesh.file->held_points.end());
+    fixed.insert(mesh.file->held_points.begin(), mesh.file->held_points.end());
   if (mesh.file && freedom.holds_periodic)
     for (const auto& pair : mesh.file->periodic_pairs)
-      frozen.insert({pair.first, pair.second});
+      fixed.insert({pair.first, pair.second});
   if (mesh.merged_into.empty())
-    return frozen;
+    return fixed;
   std::set<std::size_t> merged;
-  for (std::size_t v : frozen)
+  for (std::size_t v : fixed)
     merged.insert(mesh.merged_into[v]);
   return merged;
 }
@@ -293,7 +296,7 @@ Periodic_vertices periodic_vertices(const Mesh& mesh, const Freedom& freedom)
 HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Freedom& freedom, double time_limit,
                      Watcher& watcher)
 {
-  const std::set<std::size_t> frozen = frozen_vertices(mesh, o, freedom);
+  const std::set<std::size_t> fixed = fixed_vertices(mesh, o, freedom);
   const auto faces = freedom.keeps_interfaces ? kept_faces(mesh, o) : std::vector<std::array<std::size_t, 4>>();
   const bool is_exact = o.on_surface || (mesh.file && mesh.file->has_exact_surfaces && !freedom.fixed_boundary);
   const auto np = common_parameters(o, watcher)
@@ -306,7 +309,7 @@ HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Fre
                     .boundary_placement(is_exact ? HMO::Boundary_placement::ON_SURFACE
                                                  : HMO::Boundary_placement::WITHIN_TOLERANCE)
                     .maximum_running_time(time_limit)
-                    .vertex_is_constrained_map(CGAL::make_boolean_property_map(frozen))
+                    .vertex_is_constrained_map(CGAL::make_boolean_property_map(fixed))
                     .optimization_method(o.method == "full"            ? HMO::Method::FULL
                                          : o.method == "rectification" ? HMO::Method::RECTIFICATION
                                                                        : HMO::Method::MAXIMIZATION)
@@ -341,7 +344,7 @@ std::vector<Freedom> freedoms(const Mesh& mesh, const Options& o)
   std::vector<Freedom> result;
   const bool is_fixed_at_first = o.fixed_boundary || (!o.free_boundary && o.reference.empty());
   for (bool keeps_interfaces : {true, false}) {
-    if (!keeps_interfaces && (!o.interfaces.empty() || !o.interior_surfaces.empty()))
+    if (!keeps_interfaces && (!o.interfaces.empty() || !o.internal_faces.empty()))
       break;
     if (is_fixed_at_first)
       result.push_back({true, keeps_interfaces});
@@ -408,8 +411,8 @@ Json json(const Options& o)
                               {"fixed_boundary", o.fixed_boundary},
                               {"free_boundary", o.free_boundary},
                               {"fixed_sets", o.fixed_sets},
-                              {"interior_surfaces", o.interior_surfaces},
-                              {"frozen", o.frozen.empty() ? Json() : Json(o.frozen)},
+                              {"internal_faces", o.internal_faces},
+                              {"fixed_vertices", o.fixed_vertices.empty() ? Json() : Json(o.fixed_vertices)},
                               {"method", o.method},
                               {"edge_lengths", o.edge_lengths},
                               {"iterations", o.iterations},
@@ -434,8 +437,8 @@ Input read_all(const Options& o)
 {
   Input input;
   input.mesh = read_input(o);
-  if (!o.beside.empty())
-    read(o.beside, input.beside.points, input.beside.hexahedra);
+  if (!o.compared.empty())
+    read(o.compared, input.compared.points, input.compared.hexahedra);
   if (!o.reference.empty())
     read(o.reference, input.reference);
   input.labels = Labels(input.mesh.mesh_data.hexahedron_labels);
@@ -457,20 +460,20 @@ Report_page page_of(const Options& o, const Input& input, const Mesh& result, co
   if (!o.reference.empty())
     set_reference(page, input.reference);
   page.add_mesh("before", "Before", input.mesh.points, hexahedra);
-  page.add_mesh("after", o.beside.empty() ? "After" : name_of(o.output), result.points, hexahedra);
+  page.add_mesh("after", o.compared.empty() ? "After" : name_of(o.output), result.points, hexahedra);
   page.add_reference(o.reference.empty() ? "Boundary before" : "Reference");
   if (labels.values.size() > 1)
     page.add_labels(labels.numbers);
-  if (!o.beside.empty())
-    page.add_mesh("beside", name_of(o.beside), input.beside.points, input.beside.hexahedra);
+  if (!o.compared.empty())
+    page.add_mesh("compared", name_of(o.compared), input.compared.points, input.compared.hexahedra);
   return page;
 }
 
 // What the report says of the mesh of another program, the last one of the page. Of interfaces nothing is measured.
-Json json_of_beside(const Options& o, const Mesh& beside, const Report_page& page, bool has_interfaces)
+Json json_of_comparison(const Options& o, const Mesh& compared, const Report_page& page, bool has_interfaces)
 {
-  return {{"file", o.beside},
-          {"after", json(HMO::quality_statistics(beside.points, beside.hexahedra))},
+  return {{"file", o.compared},
+          {"after", json(HMO::quality_statistics(compared.points, compared.hexahedra))},
           {"deviation", has_interfaces ? Json() : json(page.deviation())}};
 }
 
@@ -668,9 +671,9 @@ Exit_code run(const Options& options)
   std::optional<Report_page> page;
   if (!options.report.empty())
     page = page_of(options, input, mesh, labels);
-  if (!options.beside.empty())
-    report["beside"] = json_of_beside(options, input.beside, *page,
-                                      labels.values.size() > 1 || !kept_faces(mesh, options).empty());
+  if (!options.compared.empty())
+    report["comparison"] = json_of_comparison(options, input.compared, *page,
+                                              labels.values.size() > 1 || !kept_faces(mesh, options).empty());
   if (!options.json.empty())
     write_json(options.json, report);
   if (page)

@@ -75,7 +75,7 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
   Positions after = before;
   Chosen_parameters parameters = chosen_parameters(np, keys);
   parameters.is_parallel = is_parallel;
-  Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, frozen_vertices(np, keys),
+  Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, constrained_vertices(np, keys),
                              parameters);
   // points may allocate memory: all of them are made before the first is assigned
   using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;

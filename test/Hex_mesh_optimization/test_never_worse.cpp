@@ -128,7 +128,7 @@ struct Options
   Method method = Method::FULL;
   bool has_reference = false;
   bool fixed_boundary = false;
-  bool has_frozen_vertices = false;
+  bool has_fixed_vertices = false;
   double maximum_deviation = std::numeric_limits<double>::infinity(); // in mean edge lengths
   std::size_t iterations = 20;
 
@@ -141,7 +141,7 @@ struct Options
     method = one_in(4) ? Method::RECTIFICATION : one_in(4) ? Method::MAXIMIZATION : Method::FULL;
     has_reference = one_in(2);
     fixed_boundary = one_in(4);
-    has_frozen_vertices = one_in(3);
+    has_fixed_vertices = one_in(3);
     if (one_in(3))
       maximum_deviation = std::ldexp(1., -int(random() % 12));
     if (one_in(4))
@@ -152,7 +152,7 @@ struct Options
 std::ostream& operator<<(std::ostream& os, const Options& o)
 {
   return os << "method " << int(o.method) << (o.has_reference ? ", reference" : "")
-            << (o.fixed_boundary ? ", fixed boundary" : "") << (o.has_frozen_vertices ? ", frozen vertices" : "")
+            << (o.fixed_boundary ? ", fixed boundary" : "") << (o.has_fixed_vertices ? ", fixed vertices" : "")
             << ", deviation " << o.maximum_deviation << ", iterations " << o.iterations;
 }
 
@@ -171,7 +171,7 @@ void expect_guarantees(const Indexed_mesh& intact, const Damage& damage, std::ui
   const Indexed_mesh input = mesh;
   const auto complex = input.complex();
   std::vector<char> is_frozen(mesh.points.size(), false);
-  if (options.has_frozen_vertices)
+  if (options.has_fixed_vertices)
     for (std::size_t v = seed % 7; v < is_frozen.size(); v += 7)
       is_frozen[v] = true;
   const double length = input.mean_edge_length(), bound = options.maximum_deviation * length;

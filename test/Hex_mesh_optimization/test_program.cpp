@@ -289,8 +289,8 @@ TEST_F(Program, writes_nothing_when_a_file_is_unusable)
   Mesh mesh = tangled_block();
   write("in.mesh", mesh);
   write("garbage.mesh", "no mesh at all\n");
-  write("frozen_out_of_range.txt", "0\n125\n");
-  write("frozen_garbage.txt", "0 1\n");
+  write("fixed_out_of_range.txt", "0\n125\n");
+  write("fixed_garbage.txt", "0 1\n");
   mesh.hexahedra[3][1] = mesh.hexahedra[3][0];
   write("repeated_vertex.mesh", mesh);
   mesh.hexahedra.clear();
@@ -300,8 +300,8 @@ TEST_F(Program, writes_nothing_when_a_file_is_unusable)
        {"missing.mesh out.mesh", "garbage.mesh out.mesh", "repeated_vertex.mesh out.mesh", "no_hexahedra.mesh out.mesh",
         "in.mesh out.unknown", "in.mesh missing/out.mesh", "in.mesh folder.mesh",
         "in.mesh out.mesh --reference missing.off", "in.mesh out.mesh --reference garbage.mesh",
-        "in.mesh out.mesh --frozen missing.txt", "in.mesh out.mesh --frozen frozen_out_of_range.txt",
-        "in.mesh out.mesh --frozen frozen_garbage.txt", "in.mesh out.mesh --json missing/out.json"}) {
+        "in.mesh out.mesh --fixed-vertices missing.txt", "in.mesh out.mesh --fixed-vertices fixed_out_of_range.txt",
+        "in.mesh out.mesh --fixed-vertices fixed_garbage.txt", "in.mesh out.mesh --json missing/out.json"}) {
     EXPECT_EQ(run(arguments), 3) << arguments;
     EXPECT_TRUE(contains(text("stderr"), "error: ")) << arguments;
     EXPECT_EQ(text("stdout"), "") << arguments;
@@ -368,8 +368,8 @@ TEST_F(Program, says_which_vertices_coincide_and_merges_them_when_asked)
   EXPECT_TRUE(contains(text("stdout"), "--merge"));
   EXPECT_EQ(json("out.json")["status"]["number_of_coincident_vertices"], 64 * 8 - 125);
 
-  write("frozen.txt", std::to_string(mesh.hexahedra[63][0]) + "\n"); // one of eight in one place
-  EXPECT_EQ(run("in.mesh out.mesh --merge --frozen frozen.txt --json out.json"), 0);
+  write("fixed.txt", std::to_string(mesh.hexahedra[63][0]) + "\n"); // one of eight in one place
+  EXPECT_EQ(run("in.mesh out.mesh --merge --fixed-vertices fixed.txt --json out.json"), 0);
   EXPECT_TRUE(contains(text("stdout"), "387 vertices coincide with others and were merged"));
   EXPECT_EQ(json("out.json")["number_of_merged_vertices"], 387);
   EXPECT_EQ(json("out.json")["status"]["number_of_coincident_vertices"], 0);
@@ -385,7 +385,7 @@ TEST_F(Program, says_which_vertices_coincide_and_merges_them_when_asked)
       place[v] = output.points[mesh.hexahedra[h][c]];
       is_known[v] = true;
     }
-  EXPECT_EQ(place[whole.hexahedra[63][0]], whole.points[whole.hexahedra[63][0]]) << "all of them are frozen";
+  EXPECT_EQ(place[whole.hexahedra[63][0]], whole.points[whole.hexahedra[63][0]]) << "all of them are fixed";
   EXPECT_EQ(HMO::quality_statistics(output.points, output.hexahedra).number_of_invalid, 0u);
 }
 
@@ -575,7 +575,7 @@ TEST_F(Program, may_replace_its_input)
   EXPECT_EQ(HMO::quality_statistics(output.points, output.hexahedra).number_of_invalid, 0u);
 }
 
-TEST_F(Program, does_not_move_frozen_vertices)
+TEST_F(Program, does_not_move_fixed_vertices)
 {
   Mesh input;
   HMO::make_block(input.points, input.hexahedra, {{4, 4, 4}});
@@ -584,8 +584,8 @@ TEST_F(Program, does_not_move_frozen_vertices)
   std::string odd;
   for (std::size_t v = 1; v < input.points.size(); v += 2)
     odd += std::to_string(v) + "\n\n";
-  write("frozen.txt", odd);
-  run("in.mesh out.mesh --frozen frozen.txt");
+  write("fixed.txt", odd);
+  run("in.mesh out.mesh --fixed-vertices fixed.txt");
   const Mesh output = read("out.mesh");
   bool moved = false;
   for (std::size_t v = 0; v < input.points.size(); ++v)
@@ -626,8 +626,8 @@ TEST_F(Program, writes_the_best_so_far_when_interrupted)
 {
   write("in.mesh", tangled_block());
   // It has the mesh and listens for signals when it opens the pipe.
-  const int code = shell("mkfifo frozen.txt; \"$PROGRAM\" in.mesh out.mesh --frozen frozen.txt --json out.json & "
-                         "kill -INT $! > frozen.txt; wait $!");
+  const int code = shell("mkfifo fixed.txt; \"$PROGRAM\" in.mesh out.mesh --fixed-vertices fixed.txt --json out.json & "
+                         "kill -INT $! > fixed.txt; wait $!");
   const nlohmann::json report = json("out.json");
   EXPECT_EQ(code, report["status"]["valid_mesh"] ? 0 : 1);
   EXPECT_EQ(report["status"]["return_code"], "STOPPED_BY_VISITOR");

@@ -42,7 +42,7 @@ public:
   void set_reference(CGAL::Hex_mesh_optimization::internal::Positions points,
                      std::vector<CGAL::Hex_mesh_optimization::internal::Triangle_indices> triangles);
 
-  // role: "before", "after" or "beside", where the page finds the statistics. name: of the column, for people.
+  // role: "before", "after" or "compared", where the page finds the statistics. name: of the column, for people.
   void add_mesh(const std::string& role, const std::string& name, const Points& points, const Hexahedra& hexahedra);
 
   // The reference itself, with its distances from the outer boundary of the mesh that was added last.

@@ -52,7 +52,7 @@ class Viewer {
     };
     this.box = new THREE.Box3();
     for (const mesh of meshes)
-      if (mesh.role === "after" || mesh.role === "beside")
+      if (mesh.role === "after" || mesh.role === "compared")
         this.box.union(mesh.box());
     this.radius = Math.max(this.box.getSize(new THREE.Vector3()).length() / 2, 1e-30);
 

@@ -36,7 +36,7 @@ function number(tag, path, format) {
 const roles = {
   before: { statistics: "status.before", volume: "status.volume_before", deviation: null, color: "var(--before)" },
   after: { statistics: "status.after", volume: "status.volume_after", deviation: "status.deviation", color: "var(--after)" },
-  beside: { statistics: "beside.after", volume: null, deviation: "beside.deviation", color: "var(--beside)" },
+  compared: { statistics: "comparison.after", volume: null, deviation: "comparison.deviation", color: "var(--compared)" },
 };
 const results = meshes.filter(m => m.role !== "before");
 const nameOf = file => file.split(/[\\/]/).pop();
@@ -44,14 +44,14 @@ const plural = (n, one, many) => `${formats.count(n)} ${n === 1 ? one : many}`;
 
 function fillHeader() {
   const { input, surface, output } = report.options;
-  byId("program").textContent = input === undefined ? "Hexahedral mesh of a surface" : report.beside ? "Two results for one hexahedral mesh" : "Optimization of a hexahedral mesh";
+  byId("program").textContent = input === undefined ? "Hexahedral mesh of a surface" : report.comparison ? "Two results for one hexahedral mesh" : "Optimization of a hexahedral mesh";
   byId("title").append(nameOf(input === undefined ? surface : input), element("span", { class: "arrow" }, "→"), nameOf(output));
-  if (report.beside)
-    byId("title").append(element("span", { class: "arrow" }, "beside"), nameOf(report.beside.file));
+  if (report.comparison)
+    byId("title").append(element("span", { class: "arrow" }, "compared with"), nameOf(report.comparison.file));
   const say = (isGood, text) => byId("verdict").append(element("span", { class: `verdict ${isGood ? "good" : "bad"}` }, text));
   for (const mesh of results) {
     const invalid = at(roles[mesh.role].statistics).number_of_invalid;
-    const [good, bad] = report.beside ? [`${mesh.name} is valid`, `${mesh.name} is not valid`] : ["Valid", "Not valid"];
+    const [good, bad] = report.comparison ? [`${mesh.name} is valid`, `${mesh.name} is not valid`] : ["Valid", "Not valid"];
     say(invalid === 0, invalid === 0 ? `${good}: every hexahedron is certified` : `${bad}: ${plural(invalid, "hexahedron is", "hexahedra are")} not certified`);
   }
   if (status_.deviation_bound !== null)
@@ -69,14 +69,14 @@ function fillSummary() {
     const from = of("before");
     from.setAttribute("class", "from");
     const result = element("div", { class: "figure" }, element("h3", {}, title), element("p", {}, from, element("span", { class: "from" }, " → "), of("after")));
-    if (report.beside)
-      result.lastChild.append(element("small", {}, `${meshes.find(m => m.role === "beside").name}: `, of("beside")));
+    if (report.comparison)
+      result.lastChild.append(element("small", {}, `${meshes.find(m => m.role === "compared").name}: `, of("compared")));
     return result;
   };
   const deviation = element("p", {}, number("span", "status.deviation.maximum_relative", "percent"),
     element("small", {}, "of the diagonal, or ", number("span", "status.deviation.maximum", "length")));
-  if (report.beside && report.beside.deviation)
-    deviation.append(element("small", {}, `${nameOf(report.beside.file)}: `, number("span", "beside.deviation.maximum_relative", "percent")));
+  if (report.comparison && report.comparison.deviation)
+    deviation.append(element("small", {}, `${nameOf(report.comparison.file)}: `, number("span", "comparison.deviation.maximum_relative", "percent")));
   byId("summary").append(
     element("div", { class: "figure" }, element("h3", {}, "Hexahedra"), element("p", {}, number("span", "status.after.number_of_hexahedra", "count"))),
     figure("Invalid hexahedra", "number_of_invalid", "count"),
@@ -138,7 +138,7 @@ function fillNumbers() {
   note(report.number_of_merged_vertices || 0, "vertex coincides with another one and was merged with it.", "vertices coincide with others and were merged with them.");
   note(status_.number_of_coincident_vertices, "vertex coincides with another one: faces are in the same place, but their hexahedra are no neighbors.", "vertices coincide with others: faces are in the same place, but their hexahedra are no neighbors.");
   note(status_.locked_hexahedra.length, "invalid hexahedron has an inverted corner whose vertices are all fixed.", "invalid hexahedra have an inverted corner whose vertices are all fixed.");
-  if (report.beside && !report.beside.deviation)
+  if (report.comparison && !report.comparison.deviation)
     notes.push("The deviation of the other result is not measured: the mesh has interfaces.");
   byId("notes").append(...notes.map(text => element("li", {}, text)));
 }

@@ -87,7 +87,7 @@ double& coordinate(std::array<double, 3>& p, fuzz::Byte_reader& bytes) { return 
 
 std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-void edit(Mesh& mesh, Regions& regions, std::vector<char>& is_frozen, fuzz::Byte_reader& bytes)
+void edit(Mesh& mesh, Regions& regions, std::vector<char>& is_fixed, fuzz::Byte_reader& bytes)
 {
   const auto any_vertex = [&] { return bytes.below(mesh.points.size()); };
   const auto any_hexahedron = [&]() -> std::array<std::size_t, 8>& {
@@ -125,11 +125,11 @@ void edit(Mesh& mesh, Regions& regions, std::vector<char>& is_frozen, fuzz::Byte
     break;
   }
   case 4:
-    is_frozen[any_vertex()] = true;
+    is_fixed[any_vertex()] = true;
     break;
   case 5: // a vertex of no hexahedron
     mesh.points.push_back(mesh.points[any_vertex()]);
-    is_frozen.push_back(false);
+    is_fixed.push_back(false);
     break;
   case 6: { // one vertex in the place of another in all hexahedra
     const std::size_t a = any_vertex(), b = any_vertex();
@@ -169,7 +169,7 @@ void edit(Mesh& mesh, Regions& regions, std::vector<char>& is_frozen, fuzz::Byte
       for (std::size_t& v : any_hexahedron())
         if (v < mesh.points.size()) {
           mesh.points.push_back(Point(mesh.points[v]));
-          is_frozen.push_back(is_frozen[v]);
+          is_fixed.push_back(is_fixed[v]);
           v = mesh.points.size() - 1;
         }
     break;
@@ -215,11 +215,11 @@ Surface_mesh read_reference(fuzz::Byte_reader& bytes)
   return surface;
 }
 
-void require_guarantees(Mesh before, Mesh after, const Regions& regions, const std::vector<char>& is_frozen,
+void require_guarantees(Mesh before, Mesh after, const Regions& regions, const std::vector<char>& is_fixed,
                         bool is_on_reference, const HMO::Status& status)
 {
   for (std::size_t v = 0; v < before.points.size(); ++v) {
-    fuzz::require(!is_frozen[v] || same_bits(before.points[v], after.points[v]), "frozen vertices stay");
+    fuzz::require(!is_fixed[v] || same_bits(before.points[v], after.points[v]), "fixed vertices stay");
     for (int d = 0; d < 3; ++d)
       fuzz::require(std::isfinite(after.points[v][d]), "coordinates are finite");
   }
@@ -262,17 +262,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Surface_mesh reference;
   if (options.has_reference)
     reference = read_reference(bytes);
-  std::vector<char> is_frozen(mesh.points.size(), false);
+  std::vector<char> is_fixed(mesh.points.size(), false);
   Regions regions;
   for (int edits = 0; edits < 64 && !bytes.is_empty(); ++edits)
-    edit(mesh, regions, is_frozen, bytes);
+    edit(mesh, regions, is_fixed, bytes);
 
   const Mesh before = mesh;
   const auto np = params::optimization_method(options.method)
                     .number_of_iterations(options.iterations)
                     .number_of_restarts(options.restarts)
                     .fixed_boundary(options.fixed_boundary)
-                    .vertex_is_constrained_map(Marked_vertices{&is_frozen})
+                    .vertex_is_constrained_map(Marked_vertices{&is_fixed})
                     .hexahedron_label_map(Label_map{&regions})
                     .internal_faces(regions.faces)
                     .visitor(Patience{options.calls});
@@ -288,6 +288,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::require(mesh.hexahedra == before.hexahedra && mesh.points.size() == before.points.size(),
                 "the connectivity stays");
-  require_guarantees(before, mesh, regions, is_frozen, !options.has_reference, status);
+  require_guarantees(before, mesh, regions, is_fixed, !options.has_reference, status);
   return 0;
 }

@@ -41,7 +41,7 @@ TEST(Named_parameters, left_out_are_the_defaults)
   EXPECT_EQ(given.rectification.iterations, expected.rectification.iterations);
   EXPECT_FALSE(given.on_iteration);
   EXPECT_FALSE(given.target_length);
-  EXPECT_EQ(frozen_vertices(params::default_values(), keys), std::vector<char>(3, false));
+  EXPECT_EQ(constrained_vertices(params::default_values(), keys), std::vector<char>(3, false));
 }
 
 TEST(Named_parameters, that_are_given_reach_the_engine)
@@ -106,7 +106,7 @@ TEST(Named_parameters, that_are_maps_are_asked_by_the_keys_of_the_caller)
 {
   const Chosen_parameters p = chosen_parameters(params::target_edge_length_map(Length_map()), keys);
   EXPECT_EQ(p.target_length(2, 0), 12.1);
-  EXPECT_EQ(frozen_vertices(params::vertex_is_constrained_map(Is_even()), keys),
+  EXPECT_EQ(constrained_vertices(params::vertex_is_constrained_map(Is_even()), keys),
             (std::vector<char>{true, false, true}));
 }
 

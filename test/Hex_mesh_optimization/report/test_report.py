@@ -43,7 +43,7 @@ def shown_number(text, form):
 class Page:
     """What holds for each page; a test case makes one, and the JSON of the same run."""
 
-    beside = False
+    compares = False
 
     @classmethod
     def setUpClass(cls):
@@ -99,8 +99,8 @@ class Page:
         wanted = {f"status.{side}.{member}" for side in ("before", "after")
                   for member in ("number_of_hexahedra", "number_of_inverted", "number_of_invalid", "minimum", "average")}
         wanted |= {"status.deviation.maximum", "status.deviation.maximum_relative", "status.total_seconds"}
-        if self.beside:
-            wanted |= {"beside.after.minimum", "beside.after.number_of_invalid", "beside.deviation.maximum"}
+        if self.compares:
+            wanted |= {"comparison.after.minimum", "comparison.after.number_of_invalid", "comparison.deviation.maximum"}
         for cell in self.all("[data-path]"):
             path, text = cell.get_attribute("data-path"), cell.text
             wanted.discard(path)
@@ -114,17 +114,17 @@ class Page:
 
     def test_the_histograms_count_every_hexahedron(self):
         paths = {path.get_attribute("data-role"): path for path in self.all("#histogram path")}
-        members = {"before": "status.before", "after": "status.after", "beside": "beside.after"}
-        self.assertEqual(set(paths), {"before", "after"} | ({"beside"} if self.beside else set()))
+        members = {"before": "status.before", "after": "status.after", "compared": "comparison.after"}
+        self.assertEqual(set(paths), {"before", "after"} | ({"compared"} if self.compares else set()))
         for role, path in paths.items():
             counts = [int(count) for count in path.get_attribute("data-counts").split()]
             self.assertEqual(sum(counts), at(self.report, members[role])["number_of_hexahedra"])
 
     def test_the_meshes_are_those_of_the_report(self):
-        members = {"before": "status.before", "after": "status.after", "beside": "beside.after"}
+        members = {"before": "status.before", "after": "status.after", "compared": "comparison.after"}
         meshes = self.driver.execute_script(
             "return meshes.map(m => [m.role, m.size, Math.min(...m.jacobians), m.isInvalid.reduce((a, b) => a + b, 0)])")
-        self.assertEqual(len(meshes), 3 if self.beside else 2)
+        self.assertEqual(len(meshes), 3 if self.compares else 2)
         for role, size, minimum, invalid in meshes:
             statistics = at(self.report, members[role])
             self.assertEqual(size, statistics["number_of_hexahedra"])
@@ -225,7 +225,7 @@ class Stopped(Page, unittest.TestCase):
     def test_a_page_that_cannot_be_written_is_refused_before_all_work(self):
         mesh, output = next(self.folder.glob("tangled*")), self.folder / "refused.mesh"
         self.assertEqual(run("optimize_hex_mesh", mesh, output, "--report", self.folder / "missing" / "page.html"), 3)
-        self.assertEqual(run("optimize_hex_mesh", mesh, output, "--beside", mesh), 2)  # on no page
+        self.assertEqual(run("optimize_hex_mesh", mesh, output, "--compare", mesh), 2)  # on no page
         self.assertFalse(output.exists())
 
     def test_the_command_repeats_the_run(self):
@@ -238,7 +238,7 @@ class Made(Page, unittest.TestCase):
     @classmethod
     def make(cls):
         (cls.folder / "box.off").write_text(BOX)
-        run("make_hex_mesh", cls.folder / "box.off", cls.folder / "out.mesh", "--spacing", ".25", "--across", "9", "--quiet",
+        run("make_hex_mesh", cls.folder / "box.off", cls.folder / "out.mesh", "--spacing", ".25", "--min-cells-across", "9", "--quiet",
             "--json", cls.json, "--report", cls.page)
 
     def test_some_faces_are_thin(self):
@@ -246,7 +246,7 @@ class Made(Page, unittest.TestCase):
 
 
 class Compared(Page, unittest.TestCase):
-    beside = True
+    compares = True
 
     @classmethod
     def make(cls):
@@ -261,14 +261,14 @@ class Compared(Page, unittest.TestCase):
     def test_the_other_result_is_measured_as_ours_is(self):
         ours, again = self.folder / "pages" / "in.ours.vtk", self.folder / "again.json"
         run("optimize_hex_mesh", self.folder / "in.vtk", self.folder / "again.vtk", "--quiet", "--json", again, "--report", self.folder / "again.html",
-            "--beside", ours)
+            "--compare", ours)
         report = json.loads(again.read_text())
         self.assertGreater(report["status"]["deviation"]["maximum"], 0)
         for member in ("average", "maximum", "average_relative", "maximum_relative"):
             # a boundary that stays where it is differs by rounding only, which files have their own of
-            self.assertAlmostEqual(report["beside"]["deviation"][member], report["status"]["deviation"][member],
+            self.assertAlmostEqual(report["comparison"]["deviation"][member], report["status"]["deviation"][member],
                                    delta=1e-3 * report["status"]["deviation"][member] + 1e-12, msg=member)
-        self.assertEqual(report["beside"]["after"]["number_of_invalid"], report["status"]["after"]["number_of_invalid"])
+        self.assertEqual(report["comparison"]["after"]["number_of_invalid"], report["status"]["after"]["number_of_invalid"])
 
 
 if __name__ == "__main__":

@@ -139,7 +139,7 @@ Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
 }
 
 template <class NamedParameters, class Key>
-std::vector<char> frozen_vertices(const NamedParameters& np, const std::vector<Key>& keys)
+std::vector<char> constrained_vertices(const NamedParameters& np, const std::vector<Key>& keys)
 {
   std::vector<char> is_frozen(keys.size(), false);
   if constexpr (is_given<NamedParameters, internal_np::vertex_is_constrained_t>) {
