@@ -135,7 +135,7 @@ void print(const HMO::Surface_repair& repair)
               << text(repair.largest_filled_hole) << " across.\n";
   if (repair.number_of_skipped_vertices > 0) {
     std::cout << "Repaired: " << repair.number_of_skipped_vertices
-              << " vertices that were pulled through the opposite side were left out, the farthest "
+              << " vertices that were pulled through the opposite side were skipped, the farthest "
               << text(repair.farthest) << " away from the surface as it is now; the volume was "
               << text(repair.volume_before) << " before and is " << text(repair.volume_after) << " now:\n";
     for (const auto& p : repair.skipped_vertices)
@@ -150,17 +150,17 @@ void print(const HMO::Surface_report& surface)
     if (number > 0)
       std::cout << "Surface: " << number << ' ' << what << ".\n";
   };
-  say(surface.number_of_copies, "faces are there more than once, and were taken once");
-  say(surface.number_without_area, "faces have no area, and were not taken");
+  say(surface.number_of_copies, "faces are copies of others, and were used once");
+  say(surface.number_without_area, "faces have no area, and were skipped");
   say(surface.number_of_stitched_vertices,
-      "vertices of borders were put where other borders are, the farthest moved by " + text(surface.farthest_moved));
-  say(surface.number_of_aligned_vertices, "vertices where parts touch but for rounding were put into common planes");
+      "vertices of borders were stitched to other borders, the farthest moved by " + text(surface.farthest_moved));
+  say(surface.number_of_aligned_vertices, "vertices where parts touch but for rounding were moved into common planes");
   say(surface.number_of_filled_holes,
       "holes smaller than a cell were closed, the largest " + text(surface.largest_filled_hole) + " across");
-  say(surface.number_of_reoriented_parts, "closed parts were inside out, and were taken the right way round");
-  say(surface.number_of_faces_within, "pieces of faces are inside of the volume, or bound none, and were left out");
+  say(surface.number_of_reoriented_parts, "closed parts were inside out, and were reoriented");
+  say(surface.number_of_faces_within, "pieces of faces are inside the volume, or bound none, and were skipped");
   say(surface.number_of_small_components,
-      "bodies or cavities of less than a thousandth of a cell were left out, their volume " +
+      "bodies or cavities of less than a thousandth of a cell were skipped, their volume is " +
         text(surface.volume_of_small_components));
   if (surface.number_of_parts > 1)
     std::cout << "Surface: its " << surface.number_of_parts << " closed parts bound " << surface.number_of_bodies
@@ -174,16 +174,17 @@ void print_differences(const HMO::Meshing_status& status)
   print(Report_row{"bodies", text(surface.number_of_bodies), text(status.number_of_bodies)});
   print(Report_row{"Euler characteristic", text(surface.euler_characteristic), text(status.euler_characteristic)});
   if (status.number_of_bodies != surface.number_of_bodies)
-    std::cout << "THE MESH HAS " << status.number_of_bodies << " BODIES, the surface bounds "
+    std::cout << "The mesh has " << status.number_of_bodies << " bodies; the surface bounds "
               << surface.number_of_bodies << ".\n";
   if (!status.has_topology_of_surface || status.euler_characteristic != surface.euler_characteristic)
-    std::cout << "THE MESH HAS NOT THE TOPOLOGY OF THE SURFACE: holes are closed, walls have holes, or parts are lost;"
-              << " the spacing, " << text(status.spacing) << ", is too large for them.\n";
+    std::cout
+      << "The mesh does not have the topology of the surface: holes are closed, walls have holes, or parts are lost;"
+      << " the spacing, " << text(status.spacing) << ", is too large for them.\n";
   if (!(std::abs(status.volume_after - surface.volume) <= status.volume_tolerance()))
-    std::cout << "THE MESH HAS NOT THE VOLUME OF THE SURFACE: " << text(status.volume_after) << " in the place of "
+    std::cout << "The mesh does not have the volume of the surface: " << text(status.volume_after) << " instead of "
               << text(surface.volume) << ", which is more than cells of " << text(status.spacing) << " explain.\n";
   if (!(status.deviation.maximum <= status.spacing))
-    std::cout << "THE MESH IS FARTHER FROM THE SURFACE THAN A CELL IS LONG: by " << text(status.deviation.maximum)
+    std::cout << "The mesh is farther from the surface than a cell is long: " << text(status.deviation.maximum)
               << "; cells are " << text(status.spacing) << " long.\n";
 }
 
@@ -283,8 +284,8 @@ Exit_code run(const Options& options)
     write_json(options.json, report);
   if (!options.report.empty())
     write_page(options, surface, mesh, status, report);
-  return status.valid_mesh() && status.is_within_deviation_bound() && status.matches_surface() ? ALL_IS_MET
-                                                                                               : SOMETHING_IS_NOT_MET;
+  return status.valid_mesh() && status.is_within_deviation_bound() && status.matches_surface() ? SUCCESS
+                                                                                               : REQUIREMENT_NOT_MET;
 }
 
 int main(int argc, char** argv)

@@ -635,7 +635,7 @@ Exit_code run(const Options& options)
   Mesh mesh = input.mesh;
   if (options.info) {
     print_info(mesh, options);
-    return ALL_IS_MET;
+    return SUCCESS;
   }
   if (mesh.is_copied)
     check_output_of_copy(mesh, options);
@@ -678,7 +678,7 @@ Exit_code run(const Options& options)
     write_json(options.json, report);
   if (page)
     write_page(*page, options, status, report);
-  return status.valid_mesh() && status.is_within_deviation_bound() ? ALL_IS_MET : SOMETHING_IS_NOT_MET;
+  return status.valid_mesh() && status.is_within_deviation_bound() ? SUCCESS : REQUIREMENT_NOT_MET;
 }
 
 int main(int argc, char** argv)

@@ -48,7 +48,7 @@
 #include <unistd.h>
 #endif
 
-enum Exit_code { ALL_IS_MET = 0, SOMETHING_IS_NOT_MET = 1, USAGE_ERROR = 2, UNUSABLE_FILE = 3 };
+enum Exit_code { SUCCESS = 0, REQUIREMENT_NOT_MET = 1, USAGE_ERROR = 2, FILE_ERROR = 3 };
 
 // Of the optimization, which all programs have.
 struct Common_options
@@ -273,14 +273,14 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
               << " vertices coincide with others: faces are in the same place, but their hexahedra are no neighbors,"
               << " and may part (--merge makes them neighbors).\n";
   if (!status.is_within_deviation_bound())
-    std::cout << "THE BOUND OF THE DEVIATION IS NOT "
-              << (status.deviation.maximum > status.deviation_bound ? "MET" : "SHOWN TO BE MET")
+    std::cout << "The deviation bound is not "
+              << (status.deviation.maximum > status.deviation_bound ? "met" : "certified")
               << ": the maximum is between " << text(status.deviation.maximum) << " and "
-              << text(status.deviation.certified) << ", the bound " << text(status.deviation_bound) << ".\n";
+              << text(status.deviation.certified) << ", the bound is " << text(status.deviation_bound) << ".\n";
   if (!status.vertices_off_reference.empty())
     std::cout << text(status.vertices_off_reference.size())
-              << " vertices could not be brought to the corners, curves or faces of the reference"
-              << " that they belong to (--json lists them).\n";
+              << " vertices are not on the corner, curve or face of the reference that they belong to"
+              << " (--json lists them).\n";
   print_connectivity_limits(status);
   if (status.valid_mesh()) {
     std::cout << "The mesh is valid.\n";
@@ -288,7 +288,7 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
   }
   const std::vector<std::size_t>& invalid = status.invalid_hexahedra;
   const std::size_t shown = (std::min)(invalid.size(), std::size_t(20));
-  std::cout << "THE MESH IS NOT VALID. Invalid hexahedra and their centers"
+  std::cout << "The mesh is not valid. Invalid hexahedra and their centers"
             << (shown < invalid.size() ? ", the first " + text(shown) + " of " + text(invalid.size()) : std::string())
             << ":\n";
   for (std::size_t i = 0; i < shown; ++i)
@@ -344,11 +344,11 @@ int run_program(CLI::App& app, int argc, char** argv, const Run& run)
   }
   catch (const HMO::Input_error& error) {
     std::cerr << "error: " << error.message() << '\n';
-    return error.element() == HMO::Input_error::Element::PARAMETER ? USAGE_ERROR : UNUSABLE_FILE;
+    return error.element() == HMO::Input_error::Element::PARAMETER ? USAGE_ERROR : FILE_ERROR;
   }
   catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << '\n';
-    return UNUSABLE_FILE;
+    return FILE_ERROR;
   }
 }
 

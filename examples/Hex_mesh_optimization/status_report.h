@@ -51,19 +51,19 @@ inline const char* in_words(HMO::Return_code code)
 {
   switch (code) {
   case HMO::Return_code::CONVERGED:
-    return "further iterations would not improve the mesh";
+    return "converged: further iterations would not improve the mesh";
   case HMO::Return_code::TARGET_QUALITY_REACHED:
-    return "the target quality is reached";
+    return "target quality reached";
   case HMO::Return_code::ITERATION_LIMIT:
-    return "the iterations of the last stage were used up while the mesh still changed";
+    return "iteration limit reached";
   case HMO::Return_code::TIME_LIMIT:
-    return "the time limit was reached";
+    return "time limit reached";
   case HMO::Return_code::STOPPED_BY_VISITOR:
     return "interrupted";
   case HMO::Return_code::DEVIATION_BOUND_NOT_MET:
-    return "the boundary is not shown to be as close to the reference as asked for";
+    return "deviation bound not certified";
   case HMO::Return_code::NO_IMPROVEMENT:
-    return "nothing better than the input was found, which is unchanged";
+    return "no improvement found: all positions are those of the input";
   }
   return "";
 }

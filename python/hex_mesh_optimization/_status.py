@@ -266,12 +266,12 @@ class Status:
             )
         if not self.is_within_deviation_bound:
             result.append(
-                f"THE BOUND OF THE DEVIATION IS NOT SHOWN TO BE MET: the maximum is between "
+                f"The deviation bound is not certified: the maximum is between "
                 f"{self.deviation.maximum:.4g} and {self.deviation.certified:.4g}."
             )
         if len(self.vertices_off_reference) > 0:
             result.append(
-                f"{len(self.vertices_off_reference)} vertices could not be brought to where they belong (vertices_off_reference)."
+                f"{len(self.vertices_off_reference)} vertices are not where they belong on the reference (vertices_off_reference)."
             )
         reached = sum(limit.is_reached for limit in self.connectivity_limits)
         if reached > 0:
@@ -280,7 +280,7 @@ class Status:
             result.append("The mesh is valid.")
         else:
             n = len(self.invalid_hexahedra)
-            result.append(f"THE MESH IS NOT VALID: {n} hexahedra are not (invalid_hexahedra).")
+            result.append(f"The mesh is not valid: {n} hexahedra are invalid (invalid_hexahedra).")
         return result
 
     def __str__(self) -> str:
@@ -328,12 +328,12 @@ class Meshing_status(Status):
         result = super()._sentences()
         if not self.has_topology_of_surface:
             result.append(
-                "THE MESH HAS NOT THE TOPOLOGY OF THE SURFACE: holes are closed, walls have holes, or parts are lost; "
+                "The mesh does not have the topology of the surface: holes are closed, walls have holes, or parts are lost; "
                 f"the spacing, {self.spacing:.4g}, is too large for them."
             )
         if not self.matches_surface:
             result.append(
-                f"THE MESH IS NOT TRUE TO THE SURFACE: its volume is {self.volume_after:.6g}, that of the surface "
+                f"The mesh does not match the surface: its volume is {self.volume_after:.6g}, that of the surface "
                 f"{self.volume_of_surface:.6g}; it has {self.number_of_bodies} bodies."
             )
         if len(self.thin_faces) > 0:

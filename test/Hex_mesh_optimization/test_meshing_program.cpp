@@ -114,7 +114,7 @@ TEST_F(Meshing_program, takes_parts_that_cross_and_tells_what_it_took)
        "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
        "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
   EXPECT_EQ(run("two.off out.mesh --cells 300 --json report.json"), 0);
-  EXPECT_TRUE(contains(text("stdout"), "12 faces are there more than once"));
+  EXPECT_TRUE(contains(text("stdout"), "12 faces are copies of others"));
   EXPECT_TRUE(contains(text("stdout"), "its 2 closed parts bound 1 body"));
   const nlohmann::json status = nlohmann::json::parse(text("report.json"))["status"];
   EXPECT_NEAR(status["surface"]["volume"].get<double>(), 1 + 3.375 - .125, 1e-9);
