@@ -6,7 +6,7 @@ function(complain message)
   message(SEND_ERROR "${message}")
 endfunction()
 
-# Each header: copyright, license, author, and the two lines that CGAL's releases fill in
+# Each header: copyright, license, author, the two lines that CGAL's releases fill in, and the check of the license
 file(GLOB_RECURSE headers RELATIVE ${PACKAGE} ${PACKAGE}/include/*.h ${PACKAGE}/STL_Extension/*.h ${PACKAGE}/src/*.cpp)
 list(LENGTH headers number_of_headers)
 if(number_of_headers EQUAL 0)
@@ -15,21 +15,22 @@ endif()
 foreach(header IN LISTS headers)
   file(READ ${PACKAGE}/${header} text LIMIT 1000)
   if(NOT text MATCHES
-     "^// Copyright \\(c\\) [^\n]*\n// All rights reserved.\n//\n// \\$URL\\$\n// \\$Id\\$\n// SPDX-License-Identifier: [^\n]*\n//\n// Author\\(s\\)     : ")
+     "^// Copyright \\(c\\) [^\n]*\n// All rights reserved.\n//\n// \\$URL\\$\n// \\$Id\\$\n// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial\n//\n// Author\\(s\\)     : ")
     complain("${header} does not begin with copyright, $URL$, $Id$, license and author")
+  endif()
+  if(header MATCHES "^include/" AND NOT header MATCHES "/license/" AND
+     NOT text MATCHES "#include <CGAL/license/Hex_mesh_optimization.h>")
+    complain("${header} does not include CGAL/license/Hex_mesh_optimization.h")
   endif()
 endforeach()
 
-# Each public header includes the license; and the reference manual lists what is declared outside of namespaces internal
+# The reference manual lists what is declared outside of namespaces internal
 file(GLOB public_headers RELATIVE ${PACKAGE} ${PACKAGE}/include/CGAL/*.h ${PACKAGE}/include/CGAL/Hex_mesh_optimization/*.h
   ${PACKAGE}/include/CGAL/Hex_mesh_optimization/IO/*.h)
 file(READ ${PACKAGE}/doc/Hex_mesh_optimization/PackageDescription.txt description)
 set(number_of_names 0)
 foreach(header IN LISTS public_headers)
   file(READ ${PACKAGE}/${header} text)
-  if(NOT text MATCHES "#include <CGAL/license/Hex_mesh_optimization.h>")
-    complain("${header} does not include CGAL/license/Hex_mesh_optimization.h")
-  endif()
   while(text MATCHES "\nnamespace ([A-Za-z_:]*internal[A-Za-z_:]*) {")
     set(namespace ${CMAKE_MATCH_1})
     string(FIND "${text}" "\nnamespace ${namespace} {" begin)

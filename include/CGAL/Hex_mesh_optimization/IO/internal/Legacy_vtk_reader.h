@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_LEGACY_VTK_READER_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_LEGACY_VTK_READER_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Reads hexahedra or polygons in the legacy format of VTK (.vtk, text and binary).
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_MESH_FILE_CONTENT_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What the readers of all formats produce, and its way into the containers of
 // the caller, who sees either the whole file or none of it.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TEXT_SCANNER_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TEXT_SCANNER_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Splits a text in memory into words and numbers and knows the line it is at.
 // Independent of the locale.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ADD_VTK_CELL_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_ADD_VTK_CELL_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What the cell types of VTK mean, in its legacy and its XML format.
 

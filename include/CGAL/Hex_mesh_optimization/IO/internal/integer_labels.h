@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_INTEGER_LABELS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_INTEGER_LABELS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Which arrays of a VTK file hold the labels of cells, and the labels in them.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_PERCENT_ENCODING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_PERCENT_ENCODING_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Names and strings as words of a legacy VTK file: %20 stands for a space.
 

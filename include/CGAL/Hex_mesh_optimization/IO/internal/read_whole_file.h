@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_READ_WHOLE_FILE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_READ_WHOLE_FILE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The bytes of a file, or of a pipe, in memory.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TRIANGULATED_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_TRIANGULATED_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Cuts the polygons of a soup into triangles before a mesh is built from them: whatever its shape, also
 // far from planar or self-intersecting, one of n corners gives n - 2 triangles.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTK_OUTPUT_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTK_OUTPUT_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What both formats of VTK have in common when they are written: the order of
 // the cells, and the arrays on points and cells.

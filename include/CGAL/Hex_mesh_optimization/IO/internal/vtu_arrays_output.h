@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTU_ARRAYS_OUTPUT_H
 #define CGAL_HEX_MESH_OPTIMIZATION_IO_INTERNAL_VTU_ARRAYS_OUTPUT_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Writes the data arrays of a .vtu file.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_CONFLICT_FREE_RANGES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_CONFLICT_FREE_RANGES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Elements that add to what belongs to their vertices, in ranges of which those
 // without a common vertex can be visited at once.

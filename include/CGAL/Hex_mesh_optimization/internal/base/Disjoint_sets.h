@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_DISJOINT_SETS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_DISJOINT_SETS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A partition of the numbers below a size into sets that grow together, each
 // known by its least number.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_GROUPED_ARRAY_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_GROUPED_ARRAY_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Lists of integers of different lengths, one a group, in one contiguous array
 // (compressed row storage).

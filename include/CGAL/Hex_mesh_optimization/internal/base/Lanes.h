@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_LANES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_LANES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Several numbers that one instruction works on, and the functions that formulas
 // written for them and for double alike need.

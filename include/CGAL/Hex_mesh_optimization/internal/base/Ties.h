@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_TIES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_TIES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Points that are tied to each other: they make the same step, so that the differences of their places stay as they are.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_PARALLEL_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_PARALLEL_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Loops that several threads share. What they compute does not depend on how many
 // there are: work is cut into the same ranges, and sums are taken in their order.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_SEPARATE_COMPILATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BASE_SEPARATE_COMPILATION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The functions behind which a caller's program need not look are no templates. They are inline, and compiled with each
 // program, unless it is linked with the library CGAL::Hex_mesh_optimization_engine, where they are once and for all.

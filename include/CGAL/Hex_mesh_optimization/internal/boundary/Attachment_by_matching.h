@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_ATTACHMENT_BY_MATCHING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_ATTACHMENT_BY_MATCHING_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Attachment to a reference of its own: every corner takes the nearest boundary
 // vertex, every curve the shortest path of boundary edges that follows it, and

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CURVE_LINKS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CURVE_LINKS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // For samples of the feature curves the nearest points of the mesh edges that
 // represent the curve.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_REFERENCE_LINKS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // For samples of the reference the nearest points of surface faces of the mesh,
 // asked for again and again. Points on the mesh cannot see that the tip of a

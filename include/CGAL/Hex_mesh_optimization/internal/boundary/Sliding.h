@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SLIDING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SLIDING_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Vertices that stand exactly on what they are attached to, and move along it
 // only: not at all on a corner, along a curve, within the surface.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SOLID_THICKNESS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SOLID_THICKNESS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // How thick the solid is behind the faces of its boundary: the way through the
 // hexahedra, from each face to the opposite one, to the next surface.

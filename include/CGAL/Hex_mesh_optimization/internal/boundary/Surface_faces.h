@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SURFACE_FACES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_SURFACE_FACES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The faces of the mesh that lie on a surface, with their edges and vertices: what
 // is attached to a reference.

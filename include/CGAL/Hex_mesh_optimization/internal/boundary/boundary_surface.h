@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The boundary of a mesh as a triangle surface, and its sharp edges.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CERTIFIED_DEVIATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CERTIFIED_DEVIATION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // How far two surfaces are apart at most: a bound that is shown, where deviation.h
 // measures at samples.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CONNECTIVITY_LIMITS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_BOUNDARY_CONNECTIVITY_LIMITS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Upper bounds of the scaled Jacobian that follow from connectivity alone: from
 // how many hexahedra or faces share the angle around an edge or a vertex.

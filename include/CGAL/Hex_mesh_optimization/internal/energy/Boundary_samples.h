@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_SAMPLES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_BOUNDARY_SAMPLES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Samples of what holds surface faces on the reference, with their targets: on
 // vertices, faces and edges of the mesh, and from the other side of the reference

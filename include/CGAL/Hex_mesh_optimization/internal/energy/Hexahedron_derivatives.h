@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_DERIVATIVES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_HEXAHEDRON_DERIVATIVES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Gradients and positive semi-definite Hessians of energies of the corners of a
 // hexahedron, for one hexahedron (Real = double) or several at once (Real = Lanes).

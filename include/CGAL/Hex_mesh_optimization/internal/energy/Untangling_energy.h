@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_UNTANGLING_ENERGY_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENERGY_UNTANGLING_ENERGY_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // An energy that is finite where corners are inverted: the mean ratio of all
 // corners of some hexahedra, regularized (Garanzha et al., "Foldover-free maps in

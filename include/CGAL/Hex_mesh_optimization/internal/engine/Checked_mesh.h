@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_CHECKED_MESH_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_CHECKED_MESH_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The mesh of the caller with everything checked that can be wrong with it, turned the
 // right way out and in an order in which neighbors are close in memory.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_MODEL_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What a run works with: positions in a unit of length of the mesh, the reference, what
 // each vertex is attached to, and target lengths.

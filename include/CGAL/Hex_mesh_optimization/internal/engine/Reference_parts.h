@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REFERENCE_PARTS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REFERENCE_PARTS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The reference of a mesh whose surfaces do not all stay where they are, put together of what is given for some of them
 // and the mesh as it came in for the others.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REPORT_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_ENGINE_REPORT_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What the run has come to: the result is certified, compared with what came in, and
 // measured, all in the coordinates and the numbering that the caller gets.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_LINEAR_CELL_COMPLEX_TRAITS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_LINEAR_CELL_COMPLEX_TRAITS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What a linear cell complex of the caller's is, for all versions of CGAL, and where
 // the darts of a hexahedron are.

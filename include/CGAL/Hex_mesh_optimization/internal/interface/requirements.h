@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_REQUIREMENTS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_REQUIREMENTS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What is required of the types of a caller, checked before anything is compiled with them: where one does not fit, the
 // compiler says so in one line. Each function below is for the condition of an if constexpr around the call.

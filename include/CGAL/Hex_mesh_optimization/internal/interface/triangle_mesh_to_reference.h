@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_TRIANGLE_MESH_TO_REFERENCE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_INTERFACE_TRIANGLE_MESH_TO_REFERENCE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A face graph of the caller's as the flat reference surface of the engine.
 

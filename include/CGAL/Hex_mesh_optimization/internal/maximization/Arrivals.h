@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_ARRIVALS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_ARRIVALS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // How what is to stand exactly on corners, curves and faces comes to its place: as
 // far as the hexahedra around it allow, which yield little by little. For what

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_INTERIOR_POINT_MAXIMIZATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_INTERIOR_POINT_MAXIMIZATION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Raises the quality of a feasible mesh by feasible steps: none loses the minimum,
 // validity, a bound, or a place that is to be kept. An interior-point method.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_MAXIMIZATION_PROBLEM_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_MAXIMIZATION_PROBLEM_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What the maximization of quality minimizes, the energies of hexahedra and
 // boundary with their weights and target lengths, and one step of Newton's method.

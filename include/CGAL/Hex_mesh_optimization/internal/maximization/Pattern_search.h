@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_PATTERN_SEARCH_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_PATTERN_SEARCH_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The vertices of poor hexahedra try places around them, one vertex after the
 // other, or where that helps no more, the two ends of an edge together (a pattern

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_FLOOR_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What the corners of the hexahedra are penalized below: first a floor that rises
 // ahead of the worst corner, then one that holds what was reached.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_MAXIMIZATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_QUALITY_MAXIMIZATION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Newton's method on the energy of all hexahedra and of the attachment, from a
 // mesh without inverted corners: the worst corners climb while the boundary is

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_RAISING_WITHIN_BOUND_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MAXIMIZATION_RAISING_WITHIN_BOUND_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The worst hexahedra of a mesh within a bound of the deviation are raised by
 // search, one vertex after the other: in a narrow tube Newton's method jams. What

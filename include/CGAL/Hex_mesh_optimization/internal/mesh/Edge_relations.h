@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_EDGE_RELATIONS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_EDGE_RELATIONS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The edges that should resemble each other: topologically parallel ones of a
 // hexahedron and consecutive ones across a face (Figure 5 of the paper).

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_FACE_NEIGHBORS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_FACE_NEIGHBORS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Which hexahedra share faces, whatever their orientation: what can be known
 // of a mesh before it is known to be sound.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRAL_COMPLEX_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The connectivity of a hexahedral mesh in flat arrays: edges, boundary faces
 // and the incidences that the optimization walks along.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_MEMORY_ORDER_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_MEMORY_ORDER_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A numbering in which neighbors are close in memory, whatever the order in which
 // the mesh was given.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRON_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_HEXAHEDRON_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The reference hexahedron: its corners, edges and faces in the numbering that
 // VTK and Medit share (0-3 bottom, 4-7 above them).

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_TARGET_EDGE_LENGTHS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Target edge lengths: their estimation from the boundary (eq. 22) and their
 // update where the quality is low (eq. 23, 24).

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_VERTEX_COUPLINGS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESH_VERTEX_COUPLINGS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Which vertices the energies of corners and of faces couple: the pattern of the
 // matrix of Newton's method.

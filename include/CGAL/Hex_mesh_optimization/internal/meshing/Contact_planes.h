@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_CONTACT_PLANES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_CONTACT_PLANES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Parts that touch, or have flat sides in common, but for rounding: their vertices are put into the same planes, in exact numbers,
 // so that neither gaps nor slivers are between them.

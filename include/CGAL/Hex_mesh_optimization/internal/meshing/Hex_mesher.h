@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_HEX_MESHER_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_HEX_MESHER_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // From a closed surface to hexahedra whose boundary stands for it: the connectivity, and positions to start from.
 

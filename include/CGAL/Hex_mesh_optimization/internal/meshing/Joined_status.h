@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_JOINED_STATUS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_JOINED_STATUS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // One status for several meshes that were optimized one after the other and are now one.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_NODE_PATTERNS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_NODE_PATTERNS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Which of the eight cells around a node of a grid are inside, and what that means for the boundary there.
 

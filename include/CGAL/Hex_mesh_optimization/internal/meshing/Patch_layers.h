@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_PATCH_LAYERS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_PATCH_LAYERS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A layer of hexahedra behind each patch of the boundary, so that every face of the boundary has a hexahedron of its own,
 // and every sharp edge the number of hexahedra that suits its angle.

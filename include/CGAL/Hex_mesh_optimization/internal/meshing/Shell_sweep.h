@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SHELL_SWEEP_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SHELL_SWEEP_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Of a shell, a solid that is mostly a thin wall, hexahedra from one side of the wall to the other: the faces of the boundary on
 // one side, and each vertex of these once more on the opposite side.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOLID_OF_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOLID_OF_SURFACE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What a surface bounds, as people have surfaces: its bodies, each with a closed boundary of its own, and what had to be
 // understood to find them.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOUP_ARRANGEMENT_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOUP_ARRANGEMENT_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Cuts the triangles of a soup where they cross, touch or overlap each other, in exact arithmetic: what is left meets only in
 // common edges and vertices.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOUP_REPAIR_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOUP_REPAIR_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Mends what keeps a triangle soup from bounding a volume, and tells what that changes: holes of any size are closed, and
 // vertices that were pulled through the opposite side are left out.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOUP_STITCHING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOUP_STITCHING_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Makes one surface of triangles that nearly meet: borders that coincide but for rounding are merged, vertices on the
 // borders of others divide these, copies go, and small holes are filled. What is closed does not change.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SURFACE_CHECK_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SURFACE_CHECK_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Whether a triangle surface bounds a volume that can be meshed, and if not, what is wrong and where.
 

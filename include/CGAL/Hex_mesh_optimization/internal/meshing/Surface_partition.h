@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SURFACE_PARTITION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SURFACE_PARTITION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A surface cut along its feature curves into patches: the nearest patch, and the nearest place of a patch, of what two
 // patches share, or of what several do.

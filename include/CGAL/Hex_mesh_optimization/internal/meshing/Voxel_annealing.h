@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_VOXEL_ANNEALING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_VOXEL_ANNEALING_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Cells whose centers are near the surface change sides where the boundary of the voxels gets fewer irregular vertices,
 // by simulated annealing. Each of these limits the scaled Jacobian of the hexahedra around it, and the steps of a grid

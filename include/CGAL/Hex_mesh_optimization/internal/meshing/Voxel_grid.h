@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_VOXEL_GRID_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_VOXEL_GRID_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A rectilinear grid of cells in a box, each inside or outside of something, with one layer of cells around the box that
 // are always outside, so that every cell of the box has all of its neighbors.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_INSERT_LAYERS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_INSERT_LAYERS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Layers of hexahedra between faces and the hexahedra behind them: what is called padding where the faces are those of
 // the boundary, and pillowing where they enclose a set of hexahedra.

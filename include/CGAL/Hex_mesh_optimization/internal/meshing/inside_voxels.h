@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_INSIDE_VOXELS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_INSIDE_VOXELS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Which cells of a grid have their centers inside a closed surface: along each row of cells, the triangles that its
 // line of centers crosses.

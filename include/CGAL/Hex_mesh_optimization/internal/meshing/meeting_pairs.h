@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MEETING_PAIRS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_MEETING_PAIRS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The pairs of triangles of a soup that have more in common than an edge or a vertex.
 

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_PLACE_VERTICES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_PLACE_VERTICES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Where an optimization starts well: boundary vertices on the patches, curves and corners that their faces stand for,
 // others between their neighbors.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOLID_VOXELS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_MESHING_SOLID_VOXELS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The cells of a grid that stand for what a closed surface bounds: those with their centers inside, in one piece for each
 // piece of the surface at most, with a boundary that is a manifold.

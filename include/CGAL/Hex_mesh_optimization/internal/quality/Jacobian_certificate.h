@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_JACOBIAN_CERTIFICATE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_JACOBIAN_CERTIFICATE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The certificate that a hexahedron is valid: a proof, for the coordinates as
 // given, that its trilinear map has a positive Jacobian determinant everywhere.

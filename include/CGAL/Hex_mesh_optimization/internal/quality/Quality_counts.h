@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_QUALITY_COUNTS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_QUALITY_COUNTS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // What is counted over the hexahedra of a mesh, wherever that is done: hexahedron
 // by hexahedron in the order given, or part by part.

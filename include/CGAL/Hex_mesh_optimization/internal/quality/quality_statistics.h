@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_QUALITY_STATISTICS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_QUALITY_STATISTICS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The statistics of a mesh as they are reported: in one pass over the hexahedra,
 // in the order given.

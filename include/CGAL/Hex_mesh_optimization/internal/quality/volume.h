@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_VOLUME_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_VOLUME_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The volume of a hexahedron: the integral of the determinant of its trilinear map.
 

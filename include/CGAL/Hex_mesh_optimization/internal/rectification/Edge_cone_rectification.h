@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONE_RECTIFICATION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Algorithm 1 of "Practical Hex-Mesh Optimization via Edge-Cone Rectification"
 // (Livesu, Sheffer, Vining, Tarini; SIGGRAPH 2015): local and global steps in

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_EDGE_CONES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The cone of every directed edge and the local step: target directions that no
 // base triangle of the cone sees from behind (Section 3.1.2 of the paper).

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_GLOBAL_STEP_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_GLOBAL_STEP_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The global step: vertex positions that reconcile the target directions of all
 // cones, the regularization and the boundary (eq. 25), by penalty reweighting.

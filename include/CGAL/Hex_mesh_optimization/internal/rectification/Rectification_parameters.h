@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_RECTIFICATION_PARAMETERS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_RECTIFICATION_PARAMETERS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The numbers of edge-cone rectification, each with its source. Lengths are in
 // units of the mean boundary edge; "paper" is Livesu et al. 2015.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_CONE_DIRECTION_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_CONE_DIRECTION_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The convex program of the local step (eq. 9-11, and 20 on the surface): the
 // direction in the unit ball that fits the base normals of one cone best while

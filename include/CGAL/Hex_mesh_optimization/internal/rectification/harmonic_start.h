@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_HARMONIC_START_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_HARMONIC_START_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A start for meshes most of whose hexahedra are inverted: where the given
 // interior says nothing, the boundary says more.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_PROJECTED_START_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_RECTIFICATION_PROJECTED_START_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A mesh deformed onto its reference: corners are displaced first, curves, faces
 // and the interior follow by harmonic displacements and projections.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_BLOCK_MATRIX_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // A symmetric sparse matrix of 3×3 blocks, one row of blocks a point, and the
 // conjugate gradients that solve with it.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_VERTEX_SYSTEM_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SOLVER_VERTEX_SYSTEM_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The quadratic energies of the global step as one sparse system over vertices:
 // scalar couplings, equal in x, y and z, plus a 3×3 block at boundary vertices.

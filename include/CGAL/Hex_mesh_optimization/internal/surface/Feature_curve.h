@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_CURVE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_CURVE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // One curve of the features of a surface behind a tree: closest point and tangent.
 

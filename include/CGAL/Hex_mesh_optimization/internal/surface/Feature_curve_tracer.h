@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_CURVE_TRACER_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_FEATURE_CURVE_TRACER_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // From sharp edges of the reference surface to feature curves and corners, with
 // the chance creases of a bumpy surface told from real features.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_NEARBY_TRIANGLES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_NEARBY_TRIANGLES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // For points whose closest triangle is asked for again and again while little
 // moves: the few triangles that it can be, so that no tree has to be searched.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_REFERENCE_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_REFERENCE_SURFACE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The surface that the boundary of the mesh has to stay on, with its feature curves:
 // closest point and normal, closest point of a curve and tangent.

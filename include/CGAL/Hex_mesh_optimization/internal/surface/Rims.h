@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_RIMS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_RIMS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Where a sheet of triangles ends only because another surface is there, which may go elsewhere: as an interface ends at
 // an outer boundary that is brought to a reference.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SMOOTH_NORMALS_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SMOOTH_NORMALS_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Normals of a triangle surface that are continuous but for some edges: those of its
 // feature curves.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_ADJACENCY_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_ADJACENCY_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Which triangles of a surface share an edge, of any surface: none of them need be
 // oriented alike, and an edge may have any number of them.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_TRIANGLE_SURFACE_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Triangles behind trees: the closest point, and all triangles near a point. It is
 // the reference as well as the boundary of the mesh, or a part of it.

@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_CREST_SAMPLES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_CREST_SAMPLES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Points on the sharp edges of a surface. Where another surface cuts such an edge
 // off, the edge is what is farthest from it; points within triangles cannot tell

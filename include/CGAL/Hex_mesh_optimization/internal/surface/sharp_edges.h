@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SHARP_EDGES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_SURFACE_SHARP_EDGES_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // The edges of a triangle surface that can belong to features, by the angle between
 // their triangles.

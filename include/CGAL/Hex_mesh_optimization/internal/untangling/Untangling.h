@@ -3,12 +3,14 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_UNTANGLING_UNTANGLING_H
 #define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_UNTANGLING_UNTANGLING_H
+
+#include <CGAL/license/Hex_mesh_optimization.h>
 
 // Removes the inverted corners that rectification left: the mean ratio of all
 // corners, regularized so that it is finite for inverted ones too, is minimized
