@@ -41,7 +41,7 @@ class Viewer {
     this.labels = labels;
     this.shown = meshes.filter(m => m.role !== "reference");
     this.coloring = "quality";
-    this.cut = { axis: 1, position: .5, isFlipped: false };
+    this.cut = { axis: -1, position: .5, isFlipped: false }; // none: all of the boundary is seen
     this.threshold = null; // only what is not better than that
     this.hasEdges = true;
     this.focus = null; // {hexahedron} or {vertex} or {point}: only that, and what is around it

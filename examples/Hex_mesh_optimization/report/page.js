@@ -313,7 +313,7 @@ function fillPlaces(viewer) {
   const order = Array.from(after.jacobians.keys()).sort((a, b) => after.jacobians[a] - after.jacobians[b]).slice(0, 200);
   addPlaces(viewer, `The worst of ${formats.count(after.size)} hexahedra`, order.length,
     [...hexahedronColumns, { name: "center", isText: true }], i => [hexahedron(order[i]), ...qualities(order[i]), absolute(after.center(order[i]))]);
-  addPlaces(viewer, "Released vertices, which are not on the corner, curve or face that they belong to", released.length,
+  addPlaces(viewer, "Vertices off the reference, not on the corner, curve or face that they belong to", released.length,
     [{ name: "vertex" }, { name: "distance from the reference" }, { name: "place", isText: true }], i => {
       const v = released[i];
       return [{ text: v, focus: { vertex: v }, words: `Vertex ${v}, which is not where it belongs.` },

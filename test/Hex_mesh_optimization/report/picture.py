@@ -3,7 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A picture of the top of a page of --report: picture.py PAGE PICTURE.png
 
-Needs Pillow (Debian: python3-pil)."""
+Needs Pillow (Debian: python3-pil). That of the manual, doc/Hex_mesh_optimization/fig/report.png, is of
+
+    generate_hex_mesh plate_with_hole tangled.mesh --refine 7 --corrupt scramble --amount .6
+    optimize_hex_mesh tangled.mesh repaired.mesh --report page.html"""
 
 import io
 import sys

@@ -56,6 +56,7 @@ class Page:
         cls.browser = opened(cls.page, width=900, height=600)
         cls.driver = cls.browser.__enter__()
         cls.addClassCleanup(cls.browser.__exit__, None, None, None)
+        cls.first_cut = cls.driver.execute_script("return [viewer.cut.axis, document.getElementById('cut-axis').value]")
 
     def setUp(self):
         for id, value in (("coloring", "quality"), ("cut-axis", "1"), ("cut-position", "0.5"), ("worst", False)):
@@ -136,7 +137,7 @@ class Page:
             "return Array.from(document.querySelectorAll('#places details'), d => [d.textContent, d.dataset.count])")}
         status = self.report["status"]
         for title, member in (("Invalid hexahedra", "invalid_hexahedra"),
-                              ("Released vertices, which are not on the corner, curve or face that they belong to", "vertices_off_reference"),
+                              ("Vertices off the reference, not on the corner, curve or face that they belong to", "vertices_off_reference"),
                               ("Hexahedra that the connectivity limits", "connectivity_limits"),
                               ("Faces of the surface that are thin for the spacing", "thin_faces")):
             self.assertEqual(counts.get(title, 0), len(status.get(member, [])))
@@ -151,6 +152,9 @@ class Page:
         self.assertNotEqual(before, turned)
         ActionChains(self.driver).send_keys_to_element(canvas, "\ue012").perform()  # the left arrow
         self.assertNotEqual(turned, self.picture())
+
+    def test_the_page_opens_with_all_of_the_mesh(self):
+        self.assertEqual(self.first_cut, [-1, "-1"])
 
     def test_the_cut_takes_hexahedra_away(self):
         background = lambda: max(self.colors().values())
@@ -215,7 +219,7 @@ class Stopped(Page, unittest.TestCase):
     def test_a_released_vertex_is_shown(self):
         vertex = self.report["status"]["vertices_off_reference"][0]
         before = self.picture()
-        details = next(d for d in self.all("#places details") if d.text.startswith("Released"))
+        details = next(d for d in self.all("#places details") if d.text.startswith("Vertices off"))
         details.find_element(By.TAG_NAME, "summary").click()
         details.find_element(By.CSS_SELECTOR, "tbody button").click()
         self.assertTrue(self.all("#picked")[0].text.startswith(f"Vertex {vertex},"))
