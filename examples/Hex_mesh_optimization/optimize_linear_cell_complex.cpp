@@ -34,31 +34,32 @@ struct Printer
   bool on_iteration(const HMO::Iteration& i)
   {
     ++calls;
-    std::cout << i.number_of_inverted << " inverted, minimum " << i.minimum << ", average " << i.average << '\n';
+    std::cout << HMO::name(i.stage) << ' ' << i.iteration << ": " << i.number_of_inverted << " inverted, minimum "
+              << i.minimum << ", average " << i.average << '\n';
     return true; // false ends the optimization
   }
 };
 
 int main()
 {
-  // A tangled mesh of the unit cube ...
+  // A tangled mesh of a cylinder ...
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 8>> hexahedra;
-  HMO::make_block(points, hexahedra, {{6, 6, 6}});
+  HMO::make_cylinder(points, hexahedra, 4, 8, 1, 2);
   HMO::scramble_interior(points, hexahedra, 1); // 1: seed
   LCC lcc;
   HMO::hexahedra_to_linear_cell_complex(points, hexahedra, lcc);
 
-  // ... and the surface that its boundary represents
+  // ... and the surface that its boundary represents: a prism of 60 sides
   CGAL::Surface_mesh<Point> reference;
-  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1), Point(0, 0, 1),
-                        Point(1, 0, 1), Point(1, 1, 1), reference);
+  CGAL::make_regular_prism(60, reference, Point(0, 0, 0), 2., 1.);
+  for (const auto v : reference.vertices()) // which is along the y axis
+    reference.point(v) = Point(reference.point(v).z(), reference.point(v).x(), reference.point(v).y());
   CGAL::Polygon_mesh_processing::triangulate_faces(reference);
 
   Printer printer;
   const HMO::Status status = CGAL::optimize_hex_mesh(
-    lcc, reference,
-    CGAL::parameters::features_angle_bound(60).target_quality(.8).maximum_running_time(60).visitor(std::ref(printer)));
+    lcc, reference, CGAL::parameters::features_angle_bound(60).maximum_running_time(60).visitor(std::ref(printer)));
 
   std::cout << "after " << printer.calls << " iterations: " << (status.valid_mesh() ? "valid" : "not valid")
             << ", maximum deviation " << status.deviation.maximum << '\n';
