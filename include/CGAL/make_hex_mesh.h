@@ -181,7 +181,7 @@ using Enable_for_new_ranges =
  * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
  * \param np optional named parameters among those listed below, and both lists of `CGAL::optimize_hex_mesh()` with `tmesh`
  *        as the reference, but for those that need a mesh that exists: `vertex_is_constrained_map()`,
- *        `hexahedron_label_map()`, `internal_faces()`, `interface_references()`, `periodic_vertices()` and
+ *        `facet_is_constrained_map()`, `hexahedron_label_map()`, `internal_faces()`, `interface_references()`, `periodic_vertices()` and
  *        `target_edge_length_map()` are refused when the call is compiled
  *
  * \cgalNamedParamsBegin

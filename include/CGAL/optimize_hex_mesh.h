@@ -22,6 +22,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/index_ranges.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/named_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/projector_to_reference.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/run_engine.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_mesh_to_reference.h>
@@ -61,9 +62,58 @@ constexpr bool accepts_parameters_of_linear_cell_complex()
   return accepts_parameters_of_mesh<NamedParameters, typename Types::Vertex, typename Types::Dart>();
 }
 
+// void if it is no range.
+template <class Range, class = void>
+struct Point_of_range
+{
+  using type = void;
+};
+template <class Range>
+struct Point_of_range<Range, std::enable_if_t<Is_range<const Range>::value>>
+{
+  using type = std::remove_cv_t<Value_of<const Range>>;
+};
+template <class Range>
+using Point_of = typename Point_of_range<Range>::type;
+
+template <class Point, class Reference, class NamedParameters>
+constexpr bool accepts_reference()
+{
+  if constexpr (Is_projector<Reference, Point>::value)
+    return true;
+  else
+    return accepts_surface<Reference, NamedParameters>();
+}
+
+// Of a mesh in index form, with the lists of the mesh and of the reference.
+template <class PointRange, class HexahedronRange, class Reference, class NamedParameters1, class NamedParameters2>
+Reference_input reference_of(const PointRange& points, const HexahedronRange& hexahedra, const Reference& reference,
+                             const NamedParameters1& np1, const NamedParameters2& np2)
+{
+  using Point = Point_of<PointRange>;
+  if constexpr (Is_projector<Reference, Point>::value) {
+    const double angle_bound = parameters::choose_parameter(
+      parameters::get_parameter(np1, internal_np::features_angle_bound), Chosen_parameters().features.angle_bound);
+    return projector_to_reference<Point>(reference, engine_positions(points), engine_hexahedra(hexahedra), angle_bound);
+  }
+  else
+    return triangle_mesh_to_reference(reference, np2);
+}
+
+template <class LCC, class Reference, class NamedParameters1, class NamedParameters2>
+Reference_input reference_of_linear_cell_complex(const LCC& lcc, const Reference& reference,
+                                                 const NamedParameters1& np1, const NamedParameters2& np2)
+{
+  std::vector<typename LCC::Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  if constexpr (Is_projector<Reference, typename LCC::Point>::value)
+    linear_cell_complex_to_hexahedra(lcc, points, hexahedra);
+  return reference_of(points, hexahedra, reference, np1, np2);
+}
+
 // point(v) is the place of the v-th point. Assigns only what moved, and nothing unless all went well.
 template <class ConcurrencyTag, class Points, class Hexahedra, class Key, class NamedParameters, class PointOf>
-Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys, const Regions& regions,
+Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vector<Key>& keys, Regions regions,
                 const Reference_input* reference, const NamedParameters& np, PointOf point)
 {
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
@@ -75,8 +125,9 @@ Status optimize(const Points& points, const Hexahedra& hexahedra, const std::vec
   Positions after = before;
   Chosen_parameters parameters = chosen_parameters(np, keys);
   parameters.is_parallel = is_parallel;
-  Status status = run_engine(after, engine_hexahedra(hexahedra), regions, reference, constrained_vertices(np, keys),
-                             parameters);
+  const std::vector<Hexahedron> corners = engine_hexahedra(hexahedra);
+  add_constrained_facets(np, corners, regions);
+  Status status = run_engine(after, corners, regions, reference, constrained_vertices(np, keys), parameters);
   // points may allocate memory: all of them are made before the first is assigned
   using Point = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   std::vector<std::pair<std::size_t, Point>> moved;
@@ -147,7 +198,7 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *         same, bit for bit, whatever the number of threads.
  * \tparam LCC `Linear_cell_complex_for_combinatorial_map` or `Linear_cell_complex_for_generalized_map` of dimension 3
  *         and ambient dimension 3, with any items and storage
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or of `HexMeshOptimizationProjector`
  * \tparam NamedParameters1 a sequence of named parameters
  * \tparam NamedParameters2 a sequence of named parameters
  *
@@ -180,9 +231,16 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *                    hexahedron as `std::size_t` for index ranges) and a value that can be converted to `int`}
  *     \cgalParamDefault{all hexahedra have the same label}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{facet_is_constrained_map}
+ *     \cgalParamDescription{faces between hexahedra of one label that are kept in the same way, such as baffles: it is
+ *                           asked for the faces of all hexahedra; those of the boundary are kept anyway}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `std::array<std::size_t, 4>`, the indices of the vertices of a
+ *                    face in increasing order, as key (for a linear cell complex, those of
+ *                    `linear_cell_complex_to_hexahedra()`) and `bool` as value}
+ *     \cgalParamDefault{no face is constrained}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{internal_faces}
- *     \cgalParamDescription{faces between hexahedra of one label that are kept in the same way, such as baffles; what is
- *                           not between two hexahedra does not matter}
+ *     \cgalParamDescription{the same faces as a list; what is not between two hexahedra does not matter}
  *     \cgalParamType{a range of ranges of four integers, the indices of the vertices of a face in any order; for a
  *                    linear cell complex, in the order of `linear_cell_complex_to_hexahedra()`}
  *     \cgalParamDefault{none}
@@ -368,8 +426,8 @@ Hex_mesh_optimization::Status optimize_hex_mesh(LCC& lcc, const TriangleMesh& re
   if constexpr (accepts_linear_cell_complex<LCC>() &&
                 accepts_parameters_of_linear_cell_complex<LCC, NamedParameters1>() &&
                 accepts_parameters_of_reference<NamedParameters2>() &&
-                accepts_surface<TriangleMesh, NamedParameters2>()) {
-    const Reference_input surface = triangle_mesh_to_reference(reference, np2);
+                accepts_reference<typename LCC::Point, TriangleMesh, NamedParameters2>()) {
+    const Reference_input surface = reference_of_linear_cell_complex(lcc, reference, np1, np2);
     status = optimize_linear_cell_complex<ConcurrencyTag>(lcc, &surface, np1);
   }
   return status;
@@ -479,8 +537,8 @@ Hex_mesh_optimization::Status optimize_hex_mesh(PointRange& points, const Hexahe
   if constexpr (accepts_mesh<PointRange, HexahedronRange>() &&
                 accepts_parameters_of_mesh<NamedParameters1, std::size_t, std::size_t>() &&
                 accepts_parameters_of_reference<NamedParameters2>() &&
-                accepts_surface<TriangleMesh, NamedParameters2>()) {
-    const Reference_input surface = triangle_mesh_to_reference(reference, np2);
+                accepts_reference<Point_of<PointRange>, TriangleMesh, NamedParameters2>()) {
+    const Reference_input surface = reference_of(points, hexahedra, reference, np1, np2);
     status = optimize_ranges<ConcurrencyTag>(points, hexahedra, &surface, np1);
   }
   return status;

@@ -327,6 +327,25 @@ TEST(Internal_faces, of_a_baffle_are_kept)
   }
 }
 
+TEST(Internal_faces, may_be_given_as_a_map_of_facets)
+{
+  Labelled_mesh intact = block_with_a_baffle();
+  scramble_within_regions(intact, 1, 1);
+  Labelled_mesh of_list = intact, of_map = intact;
+  optimize(of_list);
+  std::set<std::array<std::size_t, 4>> facets;
+  for (const auto& face : intact.internal_faces) {
+    std::array<std::size_t, 4> facet;
+    std::copy(face.begin(), face.end(), facet.begin());
+    std::sort(facet.begin(), facet.end());
+    facets.insert(facet);
+  }
+  CGAL::optimize_hex_mesh(of_map.points, of_map.hexahedra,
+                          params::facet_is_constrained_map(CGAL::make_boolean_property_map(facets)));
+  for (std::size_t v = 0; v < intact.points.size(); ++v)
+    EXPECT_TRUE(same_bits(of_list.points[v], of_map.points[v])) << v;
+}
+
 TEST(Internal_faces, are_kept_beside_interfaces)
 {
   Labelled_mesh intact = block_with_a_baffle();

@@ -53,6 +53,7 @@ void call(Points& points, Hexahedra& hexahedra, const Surface& surface)
   CGAL::optimize_hex_mesh(points, hexahedra, params::hexahedron_label_map(flags)); // error: hexahedron_label_map() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::target_edge_length_map(1.)); // error: target_edge_length_map() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::internal_faces(flags)); // error: internal_faces() needs
+  CGAL::optimize_hex_mesh(points, hexahedra, params::facet_is_constrained_map(flags)); // error: facet_is_constrained_map() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::interface_references(flags)); // error: interface_references() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::periodic_vertices(flags)); // error: periodic_vertices() needs
   CGAL::optimize_hex_mesh(points, hexahedra, params::visitor(Wrong_visitor())); // error: bool on_iteration(const CGAL::

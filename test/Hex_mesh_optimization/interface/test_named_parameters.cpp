@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -122,6 +123,29 @@ TEST(Named_parameters, that_divide_the_mesh_reach_the_engine)
   const Regions r = regions(params::hexahedron_label_map(Parity()).internal_faces(faces), keys);
   EXPECT_EQ(r.labels, (std::vector<int>{-1, 0, -1}));
   EXPECT_EQ(r.faces, (std::vector<std::array<int, 4>>{{1, 2, 3, 4}, {8, 7, 6, 5}}));
+}
+
+// The faces with a vertex, in increasing order.
+struct Has_vertex
+{
+  std::size_t vertex;
+  friend bool get(const Has_vertex& map, const std::array<std::size_t, 4>& face)
+  {
+    EXPECT_TRUE(std::is_sorted(face.begin(), face.end()));
+    return std::binary_search(face.begin(), face.end(), map.vertex);
+  }
+};
+
+TEST(Named_parameters, that_constrain_facets_reach_the_engine_once_for_each_facet)
+{
+  const std::vector<Hexahedron> two = {{{0, 1, 2, 3, 4, 5, 6, 7}}, {{4, 5, 6, 7, 8, 9, 10, 11}}};
+  Regions r;
+  add_constrained_facets(params::facet_is_constrained_map(Has_vertex{4}), two, r);
+  EXPECT_EQ(r.faces, (std::vector<std::array<int, 4>>{
+                       {0, 1, 4, 5}, {0, 3, 4, 7}, {4, 5, 6, 7}, {4, 5, 8, 9}, {4, 7, 8, 11}}));
+  Regions none;
+  add_constrained_facets(params::default_values(), two, none);
+  EXPECT_TRUE(none.faces.empty());
 }
 
 TEST(Named_parameters, that_are_pairs_of_vertices_reach_the_engine)

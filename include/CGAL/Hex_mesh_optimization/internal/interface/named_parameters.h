@@ -22,15 +22,18 @@
 #include <CGAL/Hex_mesh_optimization/internal/interface/parameter_lists.h>
 #include <CGAL/Hex_mesh_optimization/internal/interface/requirements.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,6 +141,28 @@ Regions regions(const NamedParameters& np, const std::vector<Key>& keys)
                                       CGAL::to_double(translation.z()))});
     }
   return result;
+}
+
+// To the faces within regions. A hexahedron with an index that cannot be one is refused elsewhere.
+template <class NamedParameters>
+void add_constrained_facets([[maybe_unused]] const NamedParameters& np,
+                            [[maybe_unused]] const std::vector<Hexahedron>& hexahedra, [[maybe_unused]] Regions& regions)
+{
+  if constexpr (is_given<NamedParameters, internal_np::facet_is_constrained_t>) {
+    const auto map = parameters::get_parameter(np, internal_np::facet_is_constrained);
+    std::set<std::array<std::size_t, 4>> facets;
+    for (const Hexahedron& h : hexahedra)
+      for (const auto& corners : hexahedron_faces) {
+        std::array<std::size_t, 4> facet;
+        for (std::size_t i = 0; i < 4; ++i)
+          facet[i] = static_cast<std::size_t>(h[corners[i]]);
+        std::sort(facet.begin(), facet.end());
+        if (facet[3] <= 0x7fffffff && get(map, facet))
+          facets.insert(facet);
+      }
+    for (const auto& facet : facets)
+      regions.faces.push_back(engine_indices<4>(facet));
+  }
 }
 
 template <class NamedParameters, class Key>

@@ -333,6 +333,11 @@ constexpr bool accepts_parameters_of_mesh()
                 "whose value converts to double");
   constexpr bool has_faces = are_internal_faces_if_given<NamedParameters>();
   static_assert(has_faces, "internal_faces() needs a range of ranges of four integers, the indices of vertices");
+  constexpr bool has_facets =
+    is_map_if_given<NamedParameters, internal_np::facet_is_constrained_t, std::array<std::size_t, 4>, bool>;
+  static_assert(has_facets, "facet_is_constrained_map() needs a readable property map, get(map, f), whose key is the "
+                            "indices of the vertices of a face in increasing order, std::array<std::size_t, 4>, and "
+                            "whose value converts to bool");
   constexpr bool has_references =
     is_range_if_given<NamedParameters, internal_np::hex_interface_references_t, Is_interface_reference>();
   static_assert(
@@ -346,7 +351,7 @@ constexpr bool accepts_parameters_of_mesh()
                 "periodic_vertices() needs a range of std::tuple of two indices of vertices and a translation "
                 "whose x(), y() and z() CGAL::to_double() converts");
   constexpr bool has_rest = accepts_labels<NamedParameters, Hexahedron>() && accepts_visitor<NamedParameters>();
-  return is_of_mesh && has_constraints && has_lengths && has_faces && has_references && has_pairs && has_rest;
+  return is_of_mesh && has_constraints && has_lengths && has_faces && has_facets && has_references && has_pairs && has_rest;
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -427,11 +432,12 @@ constexpr bool accepts_parameters_of_new_mesh()
 {
   constexpr bool has_no_keys =
     !is_one_given<NamedParameters, internal_np::vertex_is_constrained_t, internal_np::hexahedron_label_map_t,
-                  internal_np::hex_internal_faces_t, internal_np::hex_interface_references_t,
+                  internal_np::facet_is_constrained_t, internal_np::hex_internal_faces_t,
+                  internal_np::hex_interface_references_t,
                   internal_np::hex_periodic_vertices_t, internal_np::hex_target_edge_length_map_t>;
   static_assert(
     has_no_keys,
-    "vertex_is_constrained_map(), hexahedron_label_map(), internal_faces(), "
+    "vertex_is_constrained_map(), facet_is_constrained_map(), hexahedron_label_map(), internal_faces(), "
     "interface_references() and target_edge_length_map() need a mesh that exists: call optimize_hex_mesh() with them");
   constexpr bool has_visitor = accepts_visitor<NamedParameters>();
   return has_no_keys && has_visitor;

@@ -1,0 +1,36 @@
+# Fails where the manual gives a constant another value than the code: cmake -DPACKAGE=<top folder> -P check_constants.cmake
+
+cmake_minimum_required(VERSION 3.15)
+
+# Rows of the table: | ... | `<struct>::<member>` | <value> | ...
+file(STRINGS ${PACKAGE}/doc/Hex_mesh_optimization/Hex_mesh_optimization.txt rows
+  REGEX "^\\|.*\\| `[A-Z][A-Za-z_]+_parameters::[a-z_]+` \\| [0-9.e-]+ \\|")
+list(LENGTH rows number_of_rows)
+if(number_of_rows LESS 10)
+  message(FATAL_ERROR "the manual has no table of constants")
+endif()
+file(GLOB_RECURSE headers ${PACKAGE}/include/CGAL/Hex_mesh_optimization/internal/*.h)
+
+foreach(row IN LISTS rows)
+  string(REGEX MATCH "`([A-Za-z_]+)::([a-z_]+)` \\| ([0-9.e-]+) \\|" matched "${row}")
+  set(struct ${CMAKE_MATCH_1})
+  set(member ${CMAKE_MATCH_2})
+  set(value ${CMAKE_MATCH_3})
+  set(of_code "no such member")
+  foreach(header IN LISTS headers)
+    file(READ ${header} text)
+    string(FIND "${text}" "\nstruct ${struct}\n" begin)
+    if(begin LESS 0)
+      continue()
+    endif()
+    string(SUBSTRING "${text}" ${begin} -1 text)
+    string(FIND "${text}" "\n};" end)
+    string(SUBSTRING "${text}" 0 ${end} text)
+    if(text MATCHES "[ ,]${member} = ([^;,]+)[;,]")
+      set(of_code ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  if(NOT of_code STREQUAL value)
+    message(SEND_ERROR "${struct}::${member} is ${value} in the manual, and ${of_code} in the code")
+  endif()
+endforeach()
