@@ -189,19 +189,19 @@ using Enable_for_new_ranges =
  *     \cgalParamDescription{how many hexahedra the mesh has, within about a tenth. It has more where thin parts need them:
  *                           up to eight times as many if more than a hundredth of the surface would have less than
  *                           `minimum_cells_across` cells behind it}
- *     \cgalParamType{`std::size_t`}
+ *     \cgalParamType{`std::size_t`, larger than 0}
  *     \cgalParamDefault{8000}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{grid_spacing}
  *     \cgalParamDescription{the length of the cells of the grid, in the place of `number_of_hexahedra`: it is not changed
  *                           for thin parts. Between flat parts it is what divides their distance evenly}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, a length in the unit of the points, larger than 0 and finite}
  *     \cgalParamDefault{what makes the number of hexahedra}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{minimum_cells_across}
  *     \cgalParamDescription{the number of cells that are wanted between opposite walls, not counting layers; see
  *                           `Voxel_status::thin_faces`}
- *     \cgalParamType{`std::size_t`}
+ *     \cgalParamType{`std::size_t`, larger than 0}
  *     \cgalParamDefault{1}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}

@@ -182,8 +182,7 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * part of the reference.
  *
  * What the call guarantees for every input it accepts:
- * - the number of inverted hexahedra does not rise, a valid mesh stays valid, and if its boundary is within what is
- * tolerated,
+ * - the number of inverted hexahedra does not rise, a valid mesh stays valid, and if its boundary is within the tolerance,
  *   that stays so and its minimum scaled Jacobian does not fall: if the optimization finds nothing better in the
  *   \ref HexMeshOptimizationOrder "order of goals", all positions stay;
  * - constrained vertices, and all boundary vertices if the boundary is fixed, keep their coordinates bit for bit;
@@ -193,8 +192,7 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  * That the result is valid is no guarantee but is certified where it holds: `Status::valid_mesh()`.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
- * `Parallel_tag`,
- *         and `Parallel_if_available_tag`. Parallel, it runs in the TBB task arena of the caller. The result is the
+ *         `Parallel_tag`, and `Parallel_if_available_tag`. Parallel, it runs in the TBB task arena of the caller. The result is the
  *         same, bit for bit, whatever the number of threads.
  * \tparam LCC `Linear_cell_complex_for_combinatorial_map` or `Linear_cell_complex_for_generalized_map` of dimension 3
  *         and ambient dimension 3, with any items and storage
@@ -212,7 +210,7 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDescription{an edge of the reference is sharp if the normals of its faces differ by more than this
  *                           angle in degrees. Short curves that do not separate two patches of the surface are
  *                           ignored.}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, degrees from 0 to 180}
  *     \cgalParamDefault{45}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_is_constrained_map}
@@ -273,10 +271,9 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{boundary_placement}
- *     \cgalParamDescription{where the vertices of the boundary have to be: within what is tolerated, corners on the
- *     corners of the
- *                           reference; or all of them on what they are attached to exactly, sliding along the surface
- *                           and its feature curves}
+ *     \cgalParamDescription{where the vertices of the boundary have to be: within the tolerance, corners on the corners of the
+ *                           reference; or all of them on the corner, curve or face that they are attached to, exactly, sliding
+ *                           along the surface and its feature curves}
  *     \cgalParamType{`Hex_mesh_optimization::Boundary_placement`}
  *     \cgalParamDefault{`Hex_mesh_optimization::Boundary_placement::WITHIN_TOLERANCE`}
  *   \cgalParamNEnd
@@ -286,20 +283,20 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`Hex_mesh_optimization::Method::FULL`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_quality}
- *     \cgalParamDescription{the optimization ends as soon as the mesh is valid, its boundary within what is
- *     tolerated, and its minimum scaled Jacobian at least this}
- *     \cgalParamType{`double`}
+ *     \cgalParamDescription{the optimization ends as soon as the mesh is valid, its boundary within the tolerance or bound,
+ *                           and its minimum scaled Jacobian at least this}
+ *     \cgalParamType{`double`, a scaled Jacobian, which has no unit and is at most 1; not NaN}
  *     \cgalParamDefault{none: it goes on while the mesh improves}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
- *     \cgalParamDescription{how far the boundary of the mesh and the reference may be from each other, as a length, in
- *     both
- *                           directions. The bound comes before the quality, but after validity. Whether the result
- *                           obeys it is certified: `Status::is_within_deviation_bound()`; where it does not, the return
- *                           code is `Return_code::DEVIATION_BOUND_NOT_MET`.}
- *     \cgalParamType{`double`}
- *     \cgalParamDefault{none: deviation is weighed against quality, and grows expensive from about a fifth of an edge
- *     on}
+ *     \cgalParamDescription{how far the boundary of the mesh and the reference may be from each other, in both directions. The
+ *                           bound comes before the quality, but after validity. Whether the result obeys it is certified:
+ *                           `Status::is_within_deviation_bound()`; where it does not, the return code is
+ *                           `Return_code::DEVIATION_BOUND_NOT_MET`.}
+ *     \cgalParamType{`double`, a length in the unit of the points, larger than 0}
+ *     \cgalParamDefault{none: a given reference has a tolerance of .3 of the local edge, interfaces a twelfth; the boundary
+ *                       of the mesh itself may be left for quality, at a price that grows steeply from about a sixth of
+ *                       an edge on}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_lengths}
  *     \cgalParamDescription{where the target lengths of the edges come from}
@@ -307,7 +304,8 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`Hex_mesh_optimization::Target_edge_lengths::ESTIMATED`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{target_edge_length_map}
- *     \cgalParamDescription{the target length of every edge, in place of `target_edge_lengths`}
+ *     \cgalParamDescription{the target length of every edge, in place of `target_edge_lengths`: lengths in the unit of the points,
+ *                           larger than 0 and finite}
  *     \cgalParamType{a model of `ReadablePropertyMap` with a `std::pair` of two keys of `vertex_is_constrained_map` as
  *                    key, in any order, and a number as value}
  *     \cgalParamDefault{none}
@@ -318,36 +316,36 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`Hex_mesh_optimization::Edge_length_update::FULL`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the most local-global iterations before the target lengths are updated}
- *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDescription{how many iterations, of a local and a global step each, rectification has at most before the target
+ *                           lengths are updated; those of untangling and maximization are not counted, nor limited by it}
+ *     \cgalParamType{`std::size_t`, 0 or more}
  *     \cgalParamDefault{20}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_restarts}
- *     \cgalParamDescription{how often the rectification starts again with updated target lengths}
- *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDescription{how often rectification starts again with updated target lengths, after its first start}
+ *     \cgalParamType{`std::size_t`, 0 or more}
  *     \cgalParamDefault{2}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_weight}
- *     \cgalParamDescription{\f$ \beta \f$ of the paper, eq. 21: the weight that holds vertices on the smooth surface,
- *     in
+ *     \cgalParamDescription{\f$ \beta \f$ of the paper, eq. 21: the weight that holds vertices on the smooth surface, in
  *                           a mesh whose boundary edges have mean length 1; adapted at each vertex}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, larger than 0 and finite, without a unit}
  *     \cgalParamDefault{100}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{feature_weight}
  *     \cgalParamDescription{\f$ \alpha \f$ of the paper, eq. 21: the same for feature curves and corners}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, larger than 0 and finite, without a unit}
  *     \cgalParamDefault{200}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{regularization_weight}
  *     \cgalParamDescription{factor of the regularization, eq. 19 of the paper}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, 0 or more and finite, without a unit}
  *     \cgalParamDefault{1}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cone_angle_bound}
  *     \cgalParamDescription{the largest angle in degrees between the axis of a cone and its base normals that the local
  *                           step accepts, \f$ \arccos \varepsilon \f$ in eq. 10 of the paper}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, degrees larger than 0 and less than 90}
  *     \cgalParamDefault{85}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximize_minimum_quality}
@@ -356,14 +354,13 @@ Status optimize_linear_cell_complex(LCC& lcc, const Reference_input* reference, 
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
- *     \cgalParamDescription{seconds after which the best state so far is returned}
- *     \cgalParamType{`double`}
+ *     \cgalParamDescription{wall-clock time from the call on, after which no iteration starts and the best state so far is returned}
+ *     \cgalParamType{`double`, seconds, 0 or more}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{sees every iteration and can end the optimization, see
- *     `Hex_mesh_optimization::Default_visitor`;
- *                           pass `std::ref(visitor)` to keep what it collects}
+ *                           `Hex_mesh_optimization::Default_visitor`; pass `std::ref(visitor)` to keep what it collects}
  *     \cgalParamType{a model of `HexMeshOptimizationVisitor`}
  *     \cgalParamDefault{`Hex_mesh_optimization::Default_visitor`}
  *   \cgalParamNEnd
