@@ -9,6 +9,7 @@
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/Linear_cell_complex_traits.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
@@ -23,8 +24,9 @@ namespace {
 
 namespace HMO = CGAL::Hex_mesh_optimization;
 using namespace HMO::internal;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
 
 struct Mesh
 {
@@ -125,7 +127,7 @@ TEST(projector_to_reference, is_the_reference_of_an_optimization)
   Mesh ball;
   HMO::make_ball(ball.points, ball.hexahedra, 4);
   HMO::scramble_interior(ball.points, ball.hexahedra, 1, .5);
-  CGAL::Linear_cell_complex_for_combinatorial_map<3, 3> lcc;
+  CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Kernel>> lcc;
   HMO::hexahedra_to_linear_cell_complex(ball.points, ball.hexahedra, lcc);
   const auto exactly = CGAL::parameters::boundary_placement(HMO::Boundary_placement::ON_SURFACE);
   const HMO::Status status = CGAL::optimize_hex_mesh(ball.points, ball.hexahedra, Sphere{1.1}, exactly);

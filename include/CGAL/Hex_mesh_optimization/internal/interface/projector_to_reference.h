@@ -73,7 +73,7 @@ public:
     std::map<std::array<int, 2>, int> triangle_at;
     std::vector<Vector_3> normals;
     for (const Triangle_indices& t : result_.triangles)
-      normals.push_back(normal(closest_point(middle(t))));
+      normals.push_back(normal(closest_point(middle(t, result_.points))));
     std::set<int> on_features;
     for (std::size_t t = 0; t < result_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
@@ -146,10 +146,11 @@ private:
       for (int v : result_.triangles[t])
         if (vertices.count(v) > 0)
           triangles[v].push_back(static_cast<int>(t));
+    const Positions before = result_.points;
     for (const auto& [v, around] : triangles) {
       std::vector<Vector_3> middles;
       for (int t : around)
-        middles.push_back(middle(result_.triangles[t]));
+        middles.push_back(middle(result_.triangles[t], before));
       snap(result_.points[v], middles);
     }
   }
@@ -170,9 +171,9 @@ private:
     }
   }
 
-  Vector_3 middle(const Triangle_indices& t) const
+  static Vector_3 middle(const Triangle_indices& t, const Positions& points)
   {
-    return (result_.points[t[0]] + result_.points[t[1]] + result_.points[t[2]]) / 3;
+    return (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
   }
 
   template <class Coordinates>
