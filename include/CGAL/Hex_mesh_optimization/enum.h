@@ -66,7 +66,7 @@ enum class Edge_length_update {
  */
 enum class Stage {
   RECTIFICATION, ///< Edge-cone rectification: local and global steps in turn.
-  UNTANGLING,    ///< Removal of the inverted hexahedra that are left.
+  UNTANGLING,    ///< Removal of inverted hexahedra where they are, or of those that rectification leaves.
   MAXIMIZATION   ///< Maximization of the worst and the average quality.
 };
 

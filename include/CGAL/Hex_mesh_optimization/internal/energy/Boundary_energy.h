@@ -52,9 +52,7 @@ struct Boundary_parameters
   // the geometric mean of the edge and its typical length, as the bound has to suit both the element and the model.
   double steep_weight = .25;
   double steep_distance = .175;
-  // The same for a reference of its own, from which no place of the model may be far (measured on surfaces that were
-  // meshed with 8,000 hexahedra, with the factor of the poor shape that goes with it: maximum deviations of 5.9e-3 and
-  // 5.3e-3 of the diagonal become 5.1e-3 and 4.0e-3, at minima no lower and .002 to .006 less of the averages).
+  // The same for a given reference, from which no place of the model may be far.
   double steep_weight_of_own = .8;
   double steep_distance_of_own = .146;
 

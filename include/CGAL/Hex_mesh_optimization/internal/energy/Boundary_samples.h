@@ -59,10 +59,8 @@ struct Boundary_sample_parameters
   double curve_pull_weight = .5;
   double reference_spacing = .8;
   // Of samples on sharp edges of a reference that the mesh has to be brought to, or that it is bound to: edges that are no
-  // features, or that no edge of the mesh follows, are cut off where no sample is on them (measured on an organic model
-  // and a CAD part that are meshed with 8,000 hexahedra: without these samples the maximum deviations are 5.8e-3 and 4.8e-3 of
-  // the diagonal instead of 3.9e-3 and 4.1e-3). Each stands for an area of its length times the width. A boundary that
-  // is its own reference is too rough for that: the average scaled Jacobian of an organic model falls by .0015.
+  // features, or that no edge of the mesh follows, are cut off where no sample is on them. Each stands for an area of its
+  // length times the width. A boundary that is its own reference is too rough for that.
   double crest_spacing = .3;
   double crest_width = .25;
   // Factor for features.
@@ -77,8 +75,8 @@ struct Boundary_sample_parameters
   // has not been brought to it. What comes from the reference itself is tolerated wherever the quality takes it.
   double tolerance = .3;
 
-  // Factor of the weights on faces of which a fixed vertex is farther off than that (measured on a wavy interface within a
-  // fixed boundary, which its rim cannot follow: without it the minimum is .18 instead of more than .5).
+  // Factor of the weights on faces of which a fixed vertex is farther off than that, as at a wavy interface within a
+  // fixed boundary, which the border of the interface cannot follow.
   double emphasis_of_held_away = .3;
 
   // --- Where distances are bounded ---
@@ -87,9 +85,8 @@ struct Boundary_sample_parameters
   // While the boundary is attached with a tightness t < 1, the bound is larger by t to the power of minus this.
   double loosening = .25;
   // The tighter the bound is over this part of the scale, the more the average distance counts too, with a root of
-  // that: walls alone hold the largest (measured on a CAD part bound to .1 % of its diagonal: minimum and average are
-  // .286/.8891 with .7, .321/.8888 with .8). Less for a reference of its own, by the square of the factor that its
-  // weights have as it is.
+  // that: walls alone hold the largest. Less for a given reference, by the square of the factor that its weights have as
+  // it is.
   double close_distance = .8;
   double close_distance_of_own = .032;
   // The same factor for interfaces, whose bound is always the same part of the scale.
@@ -101,10 +98,7 @@ struct Boundary_sample_parameters
   // Once the boundary is fully tight, the part of that weight which acts on a sample is multiplied, in each iteration, by
   // the square of its distance over the aimed part of the bound, within the two factors, from the least part up to 1:
   // only what would leave the bound is held by its wall. They are the multipliers of a method of nonlinear rescaling for
-  // inequality constraints. (Measured with all at 1 and a close distance of .19 instead: a CAD part bound to .1 % of its diagonal ends with .300/.8897
-  // as minimum and average instead of .321/.8888, at an average deviation of 6.4e-5 of the diagonal instead of 5.5e-5;
-  // organic models bound to .1 % and .5 % with .741/.9805/8.8e-5 and .612/.9524/3.49e-4 instead of .751/.9807/8.3e-5 and
-  // .631/.9511/3.33e-4.)
+  // inequality constraints.
   double aimed_part = .97;
   double least_wall = .1;
   double wall_fading = .5, wall_return = 2;
@@ -112,8 +106,7 @@ struct Boundary_sample_parameters
   double most_of_bound = 1;
   double most_growth = 1.2;
   // Further samples of interfaces, on a lattice of so many parts along an edge, weigh so much: two materials share what there
-  // is between them, and without these samples an interface is up to .13 edges off between the others (measured on the ball
-  // of two materials of the tests).
+  // is between them, and an interface would be off between the other samples.
   int parts = 4;
   double further_weight = .1;
   // What a sample at a place that was found beyond the bound weighs, and the area that it stands for on the reference.
@@ -276,13 +269,15 @@ public:
 
   double wall_weight() const { return parameters_.wall_weight; }
   double maximum_deviation() const { return maximum_deviation_; }
+  // Whether a sample can be farther off than it may.
   bool has_tolerance() const { return is_bounded() || has_reference_of_its_own(); }
-  // Whether the distances of some samples are bounded.
+  // Whether the distances of all samples are bounded.
   bool is_bounded_everywhere() const { return std::isfinite(maximum_deviation_); }
-  // Whether they all are, to less than what is tolerated without a bound.
+  // Whether they are, to less than what is tolerated without a bound.
   bool is_closely_bounded() const { return maximum_deviation_ < parameters_.tolerance; }
   // Whether there is a reference that is not the mesh's own boundary, and not every vertex has to be on it.
   bool has_reference_of_its_own() const { return std::isfinite(tolerance_); }
+  // Whether the distances of some samples are bounded: those of interfaces are.
   bool is_bounded() const { return has_interface_ || std::isfinite(maximum_deviation_); }
 
   // By how much the samples exceed what is tolerated at the most, relative to it. Those of faces with a fixed vertex that

@@ -36,13 +36,10 @@ struct Hexahedron_energy_parameters
   // w: if it is positive, ρ weighs an interior barrier of this width instead, which is infinite w below the floor.
   double interior_width = 0;
   // κ and κ', the shape: the scaled Jacobian is blind to lengths. Growth with the third power keeps the long tail of
-  // edge ratios short at little cost for the average; a linear term of the same effect cost .002 to .004 of it
-  // (measured).
+  // edge ratios short at less cost for the average than a linear term.
   double shape_weight = .11;
   double poor_shape_weight = .5;
-  // λ, of the shape for lengths that are certain. Linear: the terms above vanish too fast to hold a layer to its height
-  // (measured on a boundary layer: 50 times κ and κ' do less than this). Four times as much costs a poor CAD part .011 of
-  // its average.
+  // λ, of the shape for lengths that are certain. Linear: the terms above vanish too fast to hold a layer to its height.
   double certain_shape_weight = 1;
 };
 
@@ -110,8 +107,7 @@ public:
       // With the lengths frozen at their values, s^-⅔ is the mean ratio q of the corner, whose gradient there is that
       // of s^-⅔ exactly, and whose Hessian without the second derivative of the determinant is positive definite. Along
       // each edge s is constant, and q is not: these directions are projected out, else corners below the floor would
-      // keep all their lengths (measured: 60 iterations of climbing instead of 38). f is chained on as F(q) =
-      // f(q^-3/2), F' ≥ 0; a negative F'' is dropped. x and z are F' q and F'' q².
+      // keep all their lengths, and take more iterations. f is chained on as F(q) = f(q^-3/2), F' ≥ 0; a negative F'' is dropped. x and z are F' q and F'' q².
       const Real x = Number(-1.5) * f1, z = larger(Real{}, Number(2.25) * f2 + Number(3.75) * f1);
 
       const Real m = ratios.mean_ratio(i, s), excess = larger(Real{}, m - Number(1));

@@ -59,11 +59,9 @@ struct Meant_lengths
   double unclear, clear;
 };
 
-// Of a mesh whose interior can be trusted. Measured on a graded layer and on poor outputs of other methods: without the
-// last two the average of a poor CAD part falls by .007.
+// Of a mesh whose interior can be trusted, chosen with a graded layer and with poor outputs of other methods.
 inline constexpr Meant_lengths meant_in_valid_mesh{1.25, .6, .8, 1.1, 1.5};
-// Of a tangled mesh there must be no doubt (measured: with 1.2 and 1.8 an organic model loses .0003 of its average, a CAD
-// part .007).
+// Of a tangled mesh there must be no doubt.
 inline constexpr Meant_lengths meant_in_tangled_mesh{1.1, .8, .9, 1.5, 2.5};
 
 // Values of edges, spread along the sheets of hexahedra from those that are known to the others, whose own ones count
@@ -151,9 +149,8 @@ inline Target_lengths own_edge_lengths(const Hexahedral_complex& complex, const 
 
 // Of a tangled mesh: the estimate where it says nothing, and its own lengths where it does: those of boundary edges with
 // none but sound hexahedra around them are spread along the sheets, so that a fin or a layer that is thin stays so, also
-// where it is tangled. Lengths that only interior edges have are no evidence (measured: an organic model whose layer
-// under the surface is thin throughout is better regraded, its 99th percentile of the ratios of edges is 3.4 instead of
-// 7). O(edge pairs).
+// where it is tangled. Lengths that only interior edges have are no evidence: a layer under the surface that is thin
+// throughout is better regraded. O(edge pairs).
 inline Target_lengths lengths_along_sound_sheets(const Hexahedral_complex& complex, const Edge_relations& relations,
                                                  const Positions& points, const std::vector<char>& is_sound)
 {

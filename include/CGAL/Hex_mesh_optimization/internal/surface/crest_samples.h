@@ -36,7 +36,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 inline std::vector<Surface_sample> crest_samples(const Triangle_surface& surface, std::size_t number_of_boundary_faces,
                                                  double spacing, double width)
 {
-  const double least_bend = 30; // degrees; with 20 there are more, and nothing is gained (measured on five models)
+  const double least_bend = 30; // degrees; with less there are more samples, and nothing is gained
   const double most_parts = 64; // of an edge that is very much longer
   spacing *= std::sqrt(oversize(surface.points, surface.triangles, number_of_boundary_faces));
   std::vector<std::vector<Triangle_indices>> of_sheet(surface.number_of_sheets());

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
-// Removes the inverted corners that rectification left: the mean ratio of all
+// Removes inverted corners, where they are or those that rectification left: the mean ratio of all
 // corners, regularized so that it is finite for inverted ones too, is minimized
 // while the regularization fades (Garanzha et al., "Foldover-free maps in 50 lines
 // of code", 2021), with the boundary loosely attached. Only what is near inverted
