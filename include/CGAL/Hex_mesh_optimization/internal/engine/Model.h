@@ -30,6 +30,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/target_edge_lengths.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_adjacency.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
@@ -61,10 +62,11 @@ public:
     , unit(checked_unit(mesh))
     , center(boundary_center(mesh, unit))
     , points(in_units(mesh.points))
-    , faces(boundary_surface_faces(mesh.complex, reference_is_given || has_collapsed_face_outside(),
+    , faces(boundary_surface_faces(mesh.complex,
+                                   !is_labelled(reference) && (reference_is_given || has_collapsed_face_outside()),
                                    labels_of(parameters.interface_references)))
     , surface(reference_is_given ? given_reference(reference, parameters) : own_reference(parameters.features))
-    , attachment(attached(reference != nullptr, is_frozen, parameters.fixed_boundary))
+    , attachment(attached(reference, is_frozen, parameters.fixed_boundary))
     , is_fixed(attachment.fixed_vertices())
     , relations(mesh.complex)
     , targets(target_lengths(parameters))
@@ -116,6 +118,9 @@ private:
       require_usable(i.surface, name_of(i));
     return reference || !interfaces.empty();
   }
+
+  // Whether there is a reference for each of the surfaces, between two labels or outside of one.
+  static bool is_labelled(const Reference_input* reference) { return reference && !reference->labels.empty(); }
 
   static void require_usable(const Reference_input& reference, const std::string& name)
   {
@@ -183,6 +188,8 @@ private:
     else {
       const Positions normalized = usable_places(*reference, of_outside);
       require_same_place(*reference, of_outside, true);
+      if (is_labelled(reference))
+        return labelled_reference(*reference, normalized, std::move(parts), parameters.features.angle_bound);
       parts.add_given(Reference_parts::outside, normalized, reference->triangles,
                       reference->sharp_is_given
                         ? reference->sharp
@@ -200,6 +207,19 @@ private:
     if (faces.labels.size() > 1)
       parts.add_mesh();
     return parts.joined(reference && reference->sharp_is_given);
+  }
+
+  // places: of the vertices
+  std::unique_ptr<const Reference_surface> labelled_reference(const Reference_input& reference, const Positions& places,
+                                                              Reference_parts parts, double angle_bound) const
+  {
+    Edge_list sharp = sharp_edges(places, reference.triangles, reference.sharp_is_given ? 180 : angle_bound);
+    for (const std::array<int, 2>& e : reference.sharp)
+      sharp.push_back(Triangle_adjacency::ordered(e));
+    std::sort(sharp.begin(), sharp.end());
+    sharp.erase(std::unique(sharp.begin(), sharp.end()), sharp.end());
+    parts.add_labelled(places, reference.triangles, reference.labels, sharp);
+    return parts.joined(reference.sharp_is_given);
   }
 
   // Those of the vertices, of which some triangle has an area.
@@ -238,11 +258,14 @@ private:
     return boundary_as_reference(mesh.complex, faces, points, features);
   }
 
-  // outside_is_given: a reference for the outer boundary
-  Boundary_attachment attached(bool outside_is_given, const std::vector<char>& is_frozen, bool fixed_boundary) const
+  // reference: null unless there is one for the outer boundary
+  Boundary_attachment attached(const Reference_input* reference, const std::vector<char>& is_frozen,
+                               bool fixed_boundary) const
   {
-    Boundary_attachment result = reference_is_given ? attached_to_given(outside_is_given)
-                                                    : attach_to_own_boundary(mesh.complex, *surface);
+    Boundary_attachment result = is_labelled(reference)
+                                   ? Attachment_by_matching(mesh.complex, points, *surface).attachment
+                                 : reference_is_given ? attached_to_given(reference != nullptr)
+                                                      : attach_to_own_boundary(mesh.complex, *surface);
     result.set_sheets(faces);
     std::vector<char> stays = mesh.order.ordered(is_frozen);
     const std::vector<char> outside = vertices_outside();

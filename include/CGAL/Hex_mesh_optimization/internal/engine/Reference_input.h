@@ -18,6 +18,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -25,10 +26,14 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // `sharp` are edges between its points.
 struct Reference_input
 {
+  static constexpr int no_label = (std::numeric_limits<int>::max)(); // of what is outside
+
   Positions points;
   std::vector<Triangle_indices> triangles;
   Edge_list sharp;
   bool sharp_is_given = false; // by the user: no detection, nothing dropped
+  // Of each triangle, what is behind and in front of it, the lower one first; none: it is that of all of the outer boundary.
+  std::vector<std::array<int, 2>> labels = {};
 };
 
 // In the place of the interface between two labels, the lower one first, as it came in.

@@ -25,6 +25,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_adjacency.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -59,6 +60,19 @@ public:
       add_border(triangles);
     for (const Triangle_indices& t : triangles)
       add(t, first, sheet);
+  }
+
+  // What is given for all sheets at once, by their labels; triangles between labels that no faces are between are left out.
+  void add_labelled(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                    const std::vector<std::array<int, 2>>& labels, const Edge_list& sharp)
+  {
+    reference_points_ = points;
+    sharp_ = sharp;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto sheet = std::lower_bound(faces_.labels.begin(), faces_.labels.end(), labels[t]);
+      if (sheet != faces_.labels.end() && *sheet == labels[t])
+        add(triangles[t], 0, static_cast<int>(sheet - faces_.labels.begin()));
+    }
   }
 
   // The mesh for all sheets for which nothing is given. Where an interface ends at a surface that goes elsewhere, it goes
