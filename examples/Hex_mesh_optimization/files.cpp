@@ -8,8 +8,12 @@
 #include <CGAL/Hex_mesh_optimization/IO/internal/Places_of_points.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -92,6 +96,26 @@ CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file) { retu
 void read(const std::string& filename, Soup& soup)
 {
   CGAL::IO::read_triangle_soup(filename, soup.points, soup.triangles);
+}
+
+std::vector<int> solids_of_stl(const std::string& filename)
+{
+  std::vector<int> result;
+  if (io::extension_of(filename) != "stl")
+    return result;
+  std::ifstream in(filename);
+  int solid = 0;
+  for (std::string line, word; std::getline(in, line);) {
+    std::istringstream words(line);
+    words >> word;
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    if (word == "solid")
+      ++solid;
+    else if (word == "facet")
+      result.push_back(solid);
+    word.clear();
+  }
+  return result;
 }
 
 void write(const std::string& filename, const Points& points, const Hexahedra& hexahedra,

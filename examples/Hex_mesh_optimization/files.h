@@ -38,6 +38,9 @@ void read(const std::string& filename, Points& points, Hexahedra& hexahedra, CGA
 void read(const std::string& filename, Surface& surface);
 void read(const std::string& filename, Soup& soup);
 
+// Of each facet of an .stl file in text, the number of its solid, from 1; none of files of other kinds.
+std::vector<int> solids_of_stl(const std::string& filename);
+
 // The file of a solver, which can be copied with other points.
 using Solver_file = std::shared_ptr<const CGAL::IO::Hex_mesh_file>;
 

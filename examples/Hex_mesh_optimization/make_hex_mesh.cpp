@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -38,20 +39,29 @@ struct Options : Common_options
 {
   const HMO::internal::Meshing_parameters of_meshing;
 
-  std::string surface;
+  std::vector<std::string> surfaces;
   std::size_t cells = of_meshing.number_of_hexahedra;
   double spacing = of_meshing.spacing;
   std::size_t minimum_cells_across = of_meshing.minimum_cells_across;
-  bool repair = false;
+  bool repair = false, materials = false;
 };
 
 void add_options(CLI::App& app, Options& o)
 {
   app.footer(exit_codes);
   app.get_formatter()->column_width(34);
-  app.add_option("SURFACE", o.surface, "the surface of the volume to mesh: closed parts, which may overlap or touch")
-    ->required();
-  app.add_option("OUTPUT", o.output, "the file to write")->required();
+  app
+    .add_option(
+      "SURFACE", o.surfaces,
+      "the surface of the volume to mesh: closed parts, which may overlap or touch; one file, or several. The\n"
+      "last of the files is OUTPUT, the one to write")
+    ->required()
+    ->type_name("FILE")
+    ->expected(2, 1000000);
+  app.parse_complete_callback([&o] {
+    o.output = o.surfaces.back();
+    o.surfaces.pop_back();
+  });
   CLI::Option* const cells = app
                                .add_option("--cells", o.cells,
                                            "about how many hexahedra to make; more where thin parts need them")
@@ -66,40 +76,58 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")
     ->check(CLI::Range(std::size_t(1), std::size_t(1000)).description(""))
     ->capture_default_str();
-  app.add_flag("--repair", o.repair,
-               "close holes of any size, and leave out vertices that were pulled through the opposite side");
+  CLI::Option* const repair = app.add_flag(
+    "--repair", o.repair, "close holes of any size, and leave out vertices that were pulled through the opposite side");
+  app
+    .add_flag(
+      "--materials", o.materials,
+      "parts stay apart: each file, each solid of one .stl file, or else each closed part, gets a label, counted\n"
+      "from 1, with interfaces between them; where parts overlap, the later one is")
+    ->excludes(repair);
   add_common_options(app, o);
 }
 
 Json json(const Options& o)
 {
-  return with_common_options({{"surface", o.surface},
+  return with_common_options({{"surface", o.surfaces.size() == 1 ? Json(o.surfaces[0]) : Json(o.surfaces)},
                               {"cells", o.spacing > 0 ? Json() : Json(o.cells)},
                               {"spacing", o.spacing > 0 ? Json(o.spacing) : Json()},
                               {"minimum_cells_across", o.minimum_cells_across},
-                              {"repair", o.repair}},
+                              {"repair", o.repair},
+                              {"materials", o.materials}},
                              o);
 }
 
-HMO::Meshing_status make(const Soup& surface, const Options& o, Mesh& mesh, Watcher& watcher)
+// What the files have together.
+struct Input
 {
+  Soup surface;
+  std::vector<int> labels; // of its triangles, if parts stay apart
+};
+
+HMO::Meshing_status make(const Input& input, const Options& o, Mesh& mesh, Watcher& watcher)
+{
+  const Soup& surface = input.surface;
   const auto np = common_parameters(o, watcher)
                     .number_of_hexahedra(o.cells)
                     .grid_spacing(o.spacing)
                     .minimum_cells_across(o.minimum_cells_across);
   return in_threads(o.threads, [&] {
-    return CGAL::make_hex_mesh<CGAL::Parallel_if_available_tag>(surface.points, surface.triangles, mesh.points,
-                                                                mesh.hexahedra, np);
+    using Tag = CGAL::Parallel_if_available_tag;
+    if (!o.materials)
+      return CGAL::make_hex_mesh<Tag>(surface.points, surface.triangles, mesh.points, mesh.hexahedra, np);
+    return CGAL::make_hex_mesh<Tag>(surface.points, surface.triangles, mesh.points, mesh.hexahedra,
+                                    np.face_label_map(CGAL::make_property_map(input.labels)));
   });
 }
 
 // The mesh that the optimization starts from.
-Mesh start(const Soup& surface, Options o)
+Mesh start(const Input& input, Options o)
 {
   Mesh mesh;
   o.time_limit = 0;
   Watcher nobody(true);
-  make(surface, o, mesh, nobody);
+  make(input, o, mesh, nobody);
   return mesh;
 }
 
@@ -114,10 +142,11 @@ Report_page::Points thin_places(const Soup& surface, const HMO::Meshing_status& 
   return places;
 }
 
-void write_page(const Options& o, const Soup& surface, const Mesh& mesh, const HMO::Meshing_status& status,
+void write_page(const Options& o, const Input& input, const Mesh& mesh, const HMO::Meshing_status& status,
                 const Json& report)
 {
-  const Mesh before = start(surface, o);
+  const Soup& surface = input.surface;
+  const Mesh before = start(input, o);
   Report_page page;
   HMO::internal::Reference_input reference = HMO::internal::triangles_to_reference(surface.points, surface.triangles);
   page.set_reference(std::move(reference.points), std::move(reference.triangles));
@@ -188,6 +217,31 @@ void print_differences(const HMO::Meshing_status& status)
               << "; cells are " << text(status.spacing) << " long.\n";
 }
 
+// Each stands for itself.
+Labels labels_of_parts(const HMO::Meshing_status& status)
+{
+  std::vector<std::int64_t> all;
+  for (int l = 0; !status.materials.empty() && l <= status.materials.back().label; ++l)
+    all.push_back(l);
+  return Labels(all);
+}
+
+// What parts that stay apart have got.
+void print_parts(const HMO::Meshing_status& status)
+{
+  for (const HMO::Material_report& part : status.materials) {
+    std::cout << "Part " << part.label << ": " << part.number_of_hexahedra << " hexahedra, volume "
+              << text(part.volume_after) << " of " << text(part.volume) << ".\n";
+    const bool is_lost = part.number_of_hexahedra == 0 && part.number_of_bodies > 0;
+    if (is_lost || !(std::abs(part.volume_after - part.volume) <= status.volume_tolerance(part)))
+      std::cout << "PART " << part.label << (is_lost ? " IS LOST" : " HAS NOT ITS VOLUME") << ": cells of "
+                << text(status.spacing) << " are too large for it.\n";
+    else if (!part.has_topology)
+      std::cout << "PART " << part.label << " HAS NOT ITS TOPOLOGY: cells of " << text(status.spacing)
+                << " close its holes, or lose pieces of it.\n";
+  }
+}
+
 void print_number(const Options& o, const HMO::Meshing_status& status, std::size_t faces)
 {
   const double wanted = double(status.number_of_hexahedra_wanted), made = double(status.after.number_of_hexahedra);
@@ -237,7 +291,7 @@ Json json(const HMO::Surface_repair& r)
 
 Json json(const HMO::Meshing_status& status, const Mesh& mesh, const HMO::Surface_repair& repaired)
 {
-  Json result = json(static_cast<const HMO::Status&>(status), mesh);
+  Json result = json(static_cast<const HMO::Status&>(status), mesh, labels_of_parts(status));
   result["spacing"] = status.spacing;
   result["has_topology_of_surface"] = status.has_topology_of_surface;
   result["matches_surface"] = status.matches_surface();
@@ -246,44 +300,85 @@ Json json(const HMO::Meshing_status& status, const Mesh& mesh, const HMO::Surfac
   result["thin_faces"] = status.thin_faces;
   result["surface"] = json(status.surface);
   result["repair"] = json(repaired);
+  result["parts"] = Json::array();
+  for (const HMO::Material_report& part : status.materials)
+    result["parts"].push_back({{"label", part.label},
+                               {"number_of_hexahedra", part.number_of_hexahedra},
+                               {"volume", part.volume},
+                               {"area", part.area},
+                               {"number_of_bodies", part.number_of_bodies},
+                               {"euler_characteristic", part.euler_characteristic},
+                               {"has_topology", part.has_topology},
+                               {"volume_after", part.volume_after}});
   return result;
+}
+
+// Appends, and tells of each triangle of which part it is.
+void read(const std::string& filename, Input& input, bool is_alone)
+{
+  Soup soup;
+  read(filename, soup);
+  const std::size_t first = input.surface.points.size();
+  const int last = input.labels.empty() ? 0 : input.labels.back();
+  std::vector<int> parts(soup.triangles.size(), 1);
+  if (is_alone) {
+    parts = solids_of_stl(filename);
+    if (parts.size() != soup.triangles.size() || parts.back() == 1)
+      parts = HMO::internal::closed_parts(HMO::internal::triangles_to_reference(soup.points, soup.triangles));
+  }
+  input.surface.points.insert(input.surface.points.end(), soup.points.begin(), soup.points.end());
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    input.surface.triangles.push_back(soup.triangles[t]);
+    for (std::size_t& v : input.surface.triangles.back())
+      v += first;
+    input.labels.push_back(last + parts[t]);
+  }
+}
+
+Input read(const Options& options, HMO::Surface_repair& repaired)
+{
+  Input input;
+  for (const std::string& filename : options.surfaces)
+    read(filename, input, options.surfaces.size() == 1);
+  if (options.repair)
+    repaired = repair(input.surface);
+  return input;
 }
 
 Exit_code run(const Options& options)
 {
   check_output(options.output);
   check_reports(options);
-  Soup surface;
-  read(options.surface, surface);
   HMO::Surface_repair repaired;
-  if (options.repair)
-    repaired = repair(surface);
+  const Input input = read(options, repaired);
 
   Mesh mesh;
   HMO::Meshing_status status;
   std::vector<HMO::Iteration> iterations;
   {
     Watcher watcher(options.quiet);
-    status = make(surface, options, mesh, watcher);
+    status = make(input, options, mesh, watcher);
     iterations = watcher.iterations();
   }
 
   if (CGAL::IO::is_hex_mesh_file(options.output)) // a solver applies loads to sets of faces
     add_patches(mesh, options.features_angle);
+  mesh.mesh_data.hexahedron_labels.assign(status.labels.begin(), status.labels.end());
   write(options.output, mesh.points, mesh.hexahedra, mesh.mesh_data);
   if (!options.quiet) {
     print(repaired);
     print(status.surface);
-    print_report(status, mesh);
+    print_report(status, mesh, labels_of_parts(status));
+    print_parts(status);
     print_differences(status);
-    print_number(options, status, surface.triangles.size());
+    print_number(options, status, input.surface.triangles.size());
   }
   const Json report = with_iterations({{"options", json(options)}, {"status", json(status, mesh, repaired)}},
                                       iterations);
   if (!options.json.empty())
     write_json(options.json, report);
   if (!options.report.empty())
-    write_page(options, surface, mesh, status, report);
+    write_page(options, input, mesh, status, report);
   return status.valid_mesh() && status.is_within_deviation_bound() && status.matches_surface() ? SUCCESS
                                                                                                : REQUIREMENT_NOT_MET;
 }

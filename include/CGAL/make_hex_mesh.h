@@ -30,12 +30,15 @@
 #include <CGAL/optimize_hex_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -65,6 +68,19 @@ Meshing_parameters meshing_parameters(const NamedParameters& np)
   return p;
 }
 
+// Of the faces of the surface, if they are given.
+template <class NamedParameters, class FaceRange>
+std::vector<int> labels_of_faces([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] const FaceRange& faces)
+{
+  std::vector<int> result;
+  if constexpr (is_given<NamedParameters, internal_np::hex_face_label_map_t>) {
+    const auto map = parameters::get_parameter(np, internal_np::hex_face_label_map);
+    for (const auto& f : faces)
+      result.push_back(static_cast<int>(get(map, f)));
+  }
+  return result;
+}
+
 template <class PointRange, class HexahedronRange>
 struct Optimized_body
 {
@@ -88,8 +104,12 @@ Optimized_body<PointRange, HexahedronRange> optimized(const Meshed_body& body, d
 {
   Optimized_body<PointRange, HexahedronRange> result;
   assign_index_ranges(body.points, body.hexahedra, result.points, result.hexahedra);
-  result.status = optimize_ranges<ConcurrencyTag>(result.points, result.hexahedra, &body.surface,
-                                                  np.maximum_running_time((std::max)(0., seconds)));
+  const auto of_body = np.maximum_running_time((std::max)(0., seconds));
+  if (body.labels.empty())
+    result.status = optimize_ranges<ConcurrencyTag>(result.points, result.hexahedra, &body.surface, of_body);
+  else
+    result.status = optimize_ranges<ConcurrencyTag>(result.points, result.hexahedra, &body.surface,
+                                                    of_body.hexahedron_label_map(make_property_map(body.labels)));
   return result;
 }
 
@@ -120,14 +140,27 @@ Optimized_body<PointRange, HexahedronRange> best_of_several(Meshed_body& body, d
   return best;
 }
 
+// Sets what the mesh has of each part, and its number of bodies.
+inline void describe_parts(const std::vector<Hexahedron>& hexahedra, Meshing_status& status)
+{
+  for (Material_report& part : status.materials) {
+    for (const auto& region : status.regions)
+      if (region.label == part.label)
+        part.volume_after = region.after;
+    part.number_of_hexahedra = std::size_t(std::count(status.labels.begin(), status.labels.end(), part.label));
+  }
+  status.number_of_bodies = number_of_pieces(hexahedra);
+}
+
 // Bodies are optimized one after the other, each with its own surface for a reference: what is near is not mistaken for it.
 template <class ConcurrencyTag, class PointRange, class HexahedronRange, class NamedParameters>
-Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameters& meshing, PointRange& points,
-                         HexahedronRange& hexahedra, const NamedParameters& np)
+Meshing_status make_mesh(const Reference_input& surface, const std::vector<int>& parts,
+                         const Meshing_parameters& meshing, PointRange& points, HexahedronRange& hexahedra,
+                         const NamedParameters& np)
 {
   const double seconds = parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time),
                                                       Chosen_parameters().maximum_running_time);
-  Meshed_solid solid = mesh_solid(surface, meshing);
+  Meshed_solid solid = mesh_solid(surface, meshing, parts);
   Meshing_status status;
   status.surface = solid.report;
   status.number_of_bodies = solid.bodies.size();
@@ -139,10 +172,15 @@ Meshing_status make_mesh(const Reference_input& surface, const Meshing_parameter
     joined.add(std::move(best.status), std::move(body.status), engine_positions(best.points),
                engine_hexahedra(best.hexahedra), body.area);
     status.euler_characteristic += body.euler_characteristic;
+    status.labels.insert(status.labels.end(), body.labels.begin(), body.labels.end());
   }
   joined.finish();
   static_cast<Status&>(status) = std::move(joined.status);
   static_cast<Voxel_status&>(status) = std::move(joined.of_grids);
+  if (!parts.empty()) {
+    status.materials = solid.bodies[0].materials;
+    describe_parts(joined.hexahedra, status);
+  }
   assign_index_ranges(joined.points, joined.hexahedra, points, hexahedra);
   return status;
 }
@@ -210,6 +248,15 @@ using Enable_for_new_ranges =
  *     and `bool` as value}
  *     \cgalParamDefault{edges are detected, see `features_angle_bound`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_label_map}
+ *     \cgalParamDescription{the part of `tmesh` that each face belongs to. The faces of one label bound a part of the volume
+ *                           that stays apart from the others: it gets hexahedra with its label, see
+ *                           `Meshing_status::labels`, and interfaces to those that touch it. Parts may overlap: what is
+ *                           in several is of that with the highest label}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key and
+ *                    `int` as value}
+ *     \cgalParamDefault{all parts are united}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \return what the optimization reports, and where parts are thinner than the grid resolves
@@ -231,10 +278,11 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
 {
   using namespace Hex_mesh_optimization::internal;
   Hex_mesh_optimization::Meshing_status status;
-  if constexpr (accepts_surface<TriangleMesh, NamedParameters>() && accepts_new_mesh<PointRange, HexahedronRange>() &&
-                accepts_parameters_of_new_mesh<NamedParameters>()) {
-    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), meshing_parameters(np), points, hexahedra,
-                                       np);
+  if constexpr (accepts_surface<TriangleMesh, NamedParameters>() &&
+                accepts_labels_of_faces<NamedParameters, Face_of<TriangleMesh>>() &&
+                accepts_new_mesh<PointRange, HexahedronRange>() && accepts_parameters_of_new_mesh<NamedParameters>()) {
+    status = make_mesh<ConcurrencyTag>(triangle_mesh_to_reference(tmesh, np), labels_of_faces(np, faces(tmesh)),
+                                       meshing_parameters(np), points, hexahedra, np);
   }
   return status;
 }
@@ -253,7 +301,8 @@ Hex_mesh_optimization::Meshing_status make_hex_mesh(const TriangleMesh& tmesh, P
  * \param points the vertices, replaced
  * \param hexahedra the indices of the eight vertices of each hexahedron, replaced
  * \param np optional named parameters as above; the key of `edge_is_constrained_map()` is a
- *        `std::pair<std::size_t, std::size_t>`, an edge by the lower and the higher of its indices
+ *        `std::pair<std::size_t, std::size_t>`, an edge by the lower and the higher of its indices, that of
+ *        `face_label_map()` the index of a triangle, a `std::size_t`
  */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class SurfacePointRange, class TriangleRange, class PointRange,
           class HexahedronRange, class NamedParameters = parameters::Default_named_parameters
@@ -270,9 +319,13 @@ make_hex_mesh(const SurfacePointRange& surface_points, const TriangleRange& surf
   using namespace Hex_mesh_optimization::internal;
   Hex_mesh_optimization::Meshing_status status;
   if constexpr (accepts_soup<SurfacePointRange, TriangleRange>() && accepts_edges_of_soup<NamedParameters>() &&
+                accepts_labels_of_faces<NamedParameters, std::size_t>() &&
                 accepts_new_mesh<PointRange, HexahedronRange>() && accepts_parameters_of_new_mesh<NamedParameters>()) {
+    std::vector<std::size_t> indices(
+      std::size_t(std::distance(std::begin(surface_triangles), std::end(surface_triangles))));
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
     status = make_mesh<ConcurrencyTag>(any_triangles_to_reference(surface_points, surface_triangles, np),
-                                       meshing_parameters(np), points, hexahedra, np);
+                                       labels_of_faces(np, indices), meshing_parameters(np), points, hexahedra, np);
   }
   return status;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/make_hex_mesh.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,6 +178,39 @@ TEST(make_hex_mesh, of_bodies_closer_than_a_cell_has_as_many_and_lists_hexahedra
   EXPECT_NEAR(double(mesh.hexahedra.size()), 400, 150);
   EXPECT_TRUE(invalid_hexahedra(mesh).empty());
   EXPECT_NEAR(status.volume_after, 2.999, 1e-6);
+}
+
+// Touching and overlapping boxes and balls: each hexahedron has a label, and each part its volume.
+TEST(make_hex_mesh, keeps_parts_with_labels_apart)
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  append_box(points, triangles, Vector_3(-1, -1, -1), Vector_3(1, 1, 0));
+  const std::size_t of_box = triangles.size(), first = points.size();
+  const Reference_input sphere = surface_of(ball(6), .3);
+  for (const Vector_3& p : sphere.points)
+    points.emplace_back(.6 * p[0] + .1, .6 * p[1], .6 * p[2] + .2);
+  for (const Triangle_indices& t : sphere.triangles)
+    triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  Mesh mesh;
+  const auto status = CGAL::make_hex_mesh(points, triangles, mesh.points, mesh.hexahedra,
+                                          CGAL::parameters::number_of_hexahedra(1500).face_label_map(
+                                            boost::make_function_property_map<std::size_t>(
+                                              [&](std::size_t t) { return t < of_box ? 5 : 8; })));
+  EXPECT_TRUE(status.valid_mesh());
+  EXPECT_GT(status.after.minimum, .3);
+  EXPECT_TRUE(status.matches_surface());
+  ASSERT_EQ(status.labels.size(), mesh.hexahedra.size());
+  ASSERT_EQ(status.materials.size(), 2u);
+  for (std::size_t i : {0, 1}) {
+    const HMO::Material_report& part = status.materials[i];
+    EXPECT_EQ(part.label, i == 0 ? 5 : 8);
+    EXPECT_EQ(part.number_of_hexahedra,
+              std::size_t(std::count(status.labels.begin(), status.labels.end(), part.label)));
+    EXPECT_NEAR(part.volume_after, part.volume, .01 * part.volume);
+  }
+  EXPECT_NEAR(status.materials[0].volume + status.materials[1].volume, status.surface.volume, 1e-9);
+  EXPECT_LT(status.deviation.maximum_relative, .02);
 }
 
 TEST(make_hex_mesh, refuses_cells_that_would_close_a_hole)

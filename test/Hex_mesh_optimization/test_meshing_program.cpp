@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -122,12 +123,76 @@ TEST_F(Meshing_program, takes_parts_that_cross_and_tells_what_it_took)
   EXPECT_EQ(status["matches_surface"], true);
 }
 
+// As .stl, with the facets of two cubes in two solids.
+void write_solids(const fs::path& file)
+{
+  std::ofstream out(file);
+  for (int solid : {0, 1}) {
+    out << "solid part" << solid << '\n';
+    const int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    for (const int(&f)[4] : faces)
+      for (int half : {1, 2}) {
+        out << "facet normal 0 0 0\nouter loop\n";
+        for (int v : {f[0], f[half], f[half + 1]})
+          out << "vertex " << solid + (v % 4 == 1 || v % 4 == 2) << ' ' << (v % 4 >= 2) << ' ' << (v >= 4) << '\n';
+        out << "endloop\nendfacet\n";
+      }
+    out << "endsolid part" << solid << '\n';
+  }
+}
+
+std::size_t number_with_label(const fs::path& file, int label)
+{
+  std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  CGAL::IO::Hex_mesh_data mesh_data;
+  CGAL::IO::read_hex_mesh(file.string(), points, hexahedra, mesh_data);
+  return std::size_t(std::count(mesh_data.hexahedron_labels.begin(), mesh_data.hexahedron_labels.end(), label));
+}
+
+TEST_F(Meshing_program, keeps_solids_of_a_file_apart_with_labels)
+{
+  write_solids(folder / "two.stl");
+  for (const std::string output : {"out.vtu", "out.vtk", "out.mesh"}) {
+    EXPECT_EQ(run("two.stl " + output + " --materials --spacing .25 --json report.json"), 0);
+    EXPECT_EQ(number_with_label(folder / output, 1), 64u);
+    EXPECT_EQ(number_with_label(folder / output, 2), 64u);
+  }
+  EXPECT_TRUE(contains(text("stdout"), "Part 1: 64 hexahedra, volume 1 of 1"));
+  EXPECT_TRUE(contains(text("stdout"), "between labels 1 and 2"));
+  const nlohmann::json parts = nlohmann::json::parse(text("report.json"))["status"]["parts"];
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[1]["volume_after"].get<double>(), 1, 1e-9);
+}
+
+// Of each file a part; the later one has what both have.
+TEST_F(Meshing_program, takes_each_of_several_files_for_a_part)
+{
+  std::ofstream(folder / "upper.off") << "OFF\n8 6 0\n0 0 .5\n1 0 .5\n1 1 .5\n0 1 .5\n0 0 2\n1 0 2\n1 1 2\n0 1 2\n"
+                                         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  EXPECT_EQ(run("cube.off upper.off out.mesh --materials --spacing .25"), 0);
+  EXPECT_EQ(number_with_label(folder / "out.mesh", 1), 32u);
+  EXPECT_EQ(number_with_label(folder / "out.mesh", 2), 96u);
+  EXPECT_EQ(run("cube.off upper.off out.mesh --spacing .25"), 0); // their union
+  EXPECT_EQ(number_of_hexahedra("out.mesh"), 128u);
+}
+
+TEST_F(Meshing_program, says_which_part_is_lost)
+{
+  std::ofstream(folder / "tiny.off") << "OFF\n8 6 0\n.4 .4 .49\n.6 .4 .49\n.6 .6 .49\n.4 .6 .49\n.4 .4 .51\n.6 .4 .51\n"
+                                        ".6 .6 .51\n.4 .6 .51\n"
+                                        "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  EXPECT_EQ(run("cube.off tiny.off out.mesh --materials --spacing .5"), 1);
+  EXPECT_TRUE(contains(text("stdout"), "PART 2 IS LOST"));
+}
+
 TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)
 {
   EXPECT_EQ(run("--help"), 0);
   EXPECT_EQ(run("cube.off"), 2);
   EXPECT_EQ(run("cube.off out.mesh --cells 0"), 2);
   EXPECT_EQ(run("cube.off out.mesh --cells 100 --spacing .1"), 2);
+  EXPECT_EQ(run("cube.off out.mesh --materials --repair"), 2);
   EXPECT_EQ(run("cube.off out.mesh --spacing 100"), 0); // a single cell
   EXPECT_EQ(run("cube.off out.unknown"), 3);
   EXPECT_EQ(run("missing.off out.mesh"), 3);

@@ -60,6 +60,25 @@ struct Surface_report
 
 /*!
  * \ingroup PkgHexMeshOptimizationMeshing
+ * One of the closed parts of a surface that stay apart, see `face_label_map()`: what it bounds where no part with a higher
+ * label is, and what the mesh has of that.
+ */
+struct Material_report
+{
+  int label = 0;
+  double volume = 0;                       ///< That the part bounds outside of those with higher labels.
+  double area = 0;                         ///< Of the boundary of that.
+  std::size_t number_of_bodies = 0;        ///< Pieces of that which do not hang together.
+  std::ptrdiff_t euler_characteristic = 0; ///< Of its boundary.
+
+  double volume_after = 0;             ///< Of the hexahedra with the label.
+  std::size_t number_of_hexahedra = 0; ///< With the label.
+  /// `false` if the boundary of these has another Euler characteristic: holes are closed, or pieces are lost.
+  bool has_topology = true;
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationMeshing
  * The result of `CGAL::voxel_mesh()`.
  */
 struct Voxel_status
@@ -88,16 +107,35 @@ struct Meshing_status : Status, Voxel_status
   std::ptrdiff_t euler_characteristic = 0;    ///< Of the boundary of the mesh.
   std::size_t number_of_hexahedra_wanted = 0; ///< 0 if a spacing was given instead.
 
+  std::vector<int> labels;                ///< Of each hexahedron, if parts stay apart; else empty.
+  std::vector<Material_report> materials; ///< Then, those parts, in increasing order of labels.
+
   /// How much more or less volume than the surface's the mesh may have for the size of its cells.
   double volume_tolerance() const { return .05 * (std::min)(spacing * surface.area, surface.volume); }
 
+  /// The same for one part.
+  double volume_tolerance(const Material_report& part) const
+  {
+    return .05 * (std::min)(spacing * part.area, (std::max)(part.volume, spacing * spacing * spacing));
+  }
+
+  /// `true` if the volume of each part is within `volume_tolerance()`.
+  bool has_volumes_of_parts() const
+  {
+    return std::all_of(materials.begin(), materials.end(), [this](const Material_report& part) {
+      return std::abs(part.volume_after - part.volume) <= volume_tolerance(part);
+    });
+  }
+
   /// `true` if the mesh has as many bodies as the surface bounds, the Euler characteristic of their boundary, their volume
-  /// within `volume_tolerance()`, and is nowhere farther from the surface than a cell is long.
+  /// and those of parts that stay apart, within `volume_tolerance()`, and is nowhere farther from the surface than a cell is
+  /// long.
   bool matches_surface() const
   {
     return number_of_bodies == surface.number_of_bodies && has_topology_of_surface &&
            euler_characteristic == surface.euler_characteristic &&
-           std::abs(volume_after - surface.volume) <= volume_tolerance() && deviation.maximum <= spacing;
+           std::abs(volume_after - surface.volume) <= volume_tolerance() && has_volumes_of_parts() &&
+           deviation.maximum <= spacing;
   }
 };
 

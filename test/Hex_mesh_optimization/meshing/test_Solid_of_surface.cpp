@@ -3,12 +3,10 @@
 
 // What triangle soups bound: unions of random parts, however they are written, and what is refused.
 
-#include "../Generated_surface.h"
+#include "../Random_parts.h"
 
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_repair.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <gtest/gtest.h>
 
@@ -27,14 +25,6 @@ using Random = std::mt19937;
 int random_int(Random& random, int low, int high) // both included; the same with every standard library
 {
   return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
-}
-
-void append(Reference_input& soup, const Reference_input& part)
-{
-  const int n = static_cast<int>(soup.points.size());
-  soup.points.insert(soup.points.end(), part.points.begin(), part.points.end());
-  for (const Triangle_indices& t : part.triangles)
-    soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
 }
 
 Reference_input moved(Reference_input surface, const Vector_3& size, const Vector_3& by)
@@ -152,50 +142,6 @@ TEST(Solid_of_surface, of_random_boxes_that_overlap_touch_or_coincide_is_their_u
     }
   }
   EXPECT_LE(refused, 6);
-}
-
-std::ptrdiff_t euler_characteristic_of(const Surface& surface)
-{
-  return std::ptrdiff_t(surface.number_of_vertices()) - std::ptrdiff_t(surface.number_of_edges()) +
-         std::ptrdiff_t(surface.number_of_faces());
-}
-
-Reference_input random_part(Random& random)
-{
-  const auto unit = [&] { return random_int(random, 0, 1000) / 1000.; };
-  const int kind = random_int(random, 0, 3);
-  const Generated_mesh mesh =
-    kind == 0   ? block(2)
-    : kind == 1 ? cylinder(3)
-    : kind == 2 ? Generated_mesh([](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_ball(p, h, 3); })
-                : Generated_mesh([](auto& p, auto& h) { CGAL::Hex_mesh_optimization::make_ring(p, h, 12, 2); });
-  const Vector_3 size(.6 + unit(), .6 + unit(), .6 + unit());
-  return moved(surface_of(mesh, 6 * unit()), size, 1.5 * Vector_3(unit(), unit(), unit()));
-}
-
-TEST(Solid_of_surface, of_random_reoriented_parts_is_what_corefinement_finds)
-{
-  Random random(3);
-  for (int round = 0; round < 12; ++round) {
-    Reference_input soup;
-    Surface exact;
-    for (int i = 0; i < 3; ++i) {
-      const Reference_input part = random_part(random);
-      append(soup, written_badly(part, random, false));
-      Surface mesh = surface_mesh(part), sum;
-      if (i == 0)
-        exact = mesh;
-      else {
-        ASSERT_TRUE(CGAL::Polygon_mesh_processing::corefine_and_compute_union(exact, mesh, sum));
-        exact = sum;
-      }
-    }
-    exact.collect_garbage();
-    const Solid_of_surface solid(soup, 1e6, 0);
-    const double volume = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(exact));
-    EXPECT_NEAR(solid.report.volume, volume, 1e-6 * volume) << round;
-    EXPECT_EQ(solid.report.euler_characteristic, euler_characteristic_of(exact)) << round;
-  }
 }
 
 // A plate on four legs, flush with its sides, and a beam across it: turned, and rounded as in files of single precision.

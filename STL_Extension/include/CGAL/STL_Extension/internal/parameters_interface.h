@@ -50,5 +50,6 @@ CGAL_add_named_parameter(hex_cone_angle_bound_t, hex_cone_angle_bound, cone_angl
 CGAL_add_named_parameter(hex_maximize_minimum_quality_t, hex_maximize_minimum_quality, maximize_minimum_quality)
 CGAL_add_named_parameter(hex_number_of_hexahedra_t, hex_number_of_hexahedra, number_of_hexahedra)
 CGAL_add_named_parameter(hex_minimum_cells_across_t, hex_minimum_cells_across, minimum_cells_across)
+CGAL_add_named_parameter(hex_face_label_map_t, hex_face_label_map, face_label_map)
 CGAL_add_named_parameter(hex_layer_thickness_t, hex_layer_thickness, layer_thickness)
 #endif

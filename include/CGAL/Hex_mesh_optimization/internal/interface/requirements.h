@@ -426,6 +426,31 @@ constexpr bool accepts_parameters_of_reference()
   return is_of_reference;
 }
 
+// Of make_hex_mesh(): what a face graph has for faces, without complaints where it is none.
+template <class TriangleMesh, bool is_graph = Is_face_graph<TriangleMesh>::value>
+struct Face_of_graph
+{
+  using type = std::size_t;
+};
+template <class TriangleMesh>
+struct Face_of_graph<TriangleMesh, true>
+{
+  using type = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+};
+template <class TriangleMesh>
+using Face_of = typename Face_of_graph<TriangleMesh>::type;
+
+template <class NamedParameters, class Face>
+constexpr bool accepts_labels_of_faces()
+{
+  constexpr bool has_labels = is_map_if_given<NamedParameters, internal_np::hex_face_label_map_t, Face, int>;
+  static_assert(has_labels,
+                "face_label_map() needs a readable property map, get(map, f), whose key is a face descriptor of "
+                "the triangle mesh or, for a triangle soup, the index of a triangle (std::size_t), and whose "
+                "value converts to int");
+  return has_labels;
+}
+
 // Of make_hex_mesh(): the mesh is not there yet.
 template <class NamedParameters>
 constexpr bool accepts_parameters_of_new_mesh()

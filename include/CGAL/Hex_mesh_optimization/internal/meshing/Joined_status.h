@@ -15,7 +15,9 @@
 // One status for several meshes that were optimized one after the other and are now one.
 
 #include <CGAL/Hex_mesh_optimization/Meshing_status.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Disjoint_sets.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
+#include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/quality_statistics.h>
 
@@ -26,6 +28,20 @@
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
+
+// Of hexahedra, those that hang together by faces.
+inline std::size_t number_of_pieces(const std::vector<Hexahedron>& hexahedra)
+{
+  const Face_neighbors neighbors(hexahedra);
+  Disjoint_sets sets(hexahedra.size());
+  std::size_t result = hexahedra.size();
+  for (int side = 0; side < neighbors.number_of_sides(); ++side)
+    if (neighbors.opposite(side) > side && sets.find(side / 6) != sets.find(neighbors.opposite(side) / 6)) {
+      sets.unite(side / 6, neighbors.opposite(side) / 6);
+      --result;
+    }
+  return result;
+}
 
 class Joined_status
 {

@@ -53,11 +53,11 @@ public:
     double angle = 0; // between the two, through the inside, in degrees: the mean over the length
   };
 
-  // Points in units of the spacing of the mesh to be made, for which feature parameters are meant. sharp, keep_all: as of
-  // Reference_surface.
+  // Points in units of the spacing of the mesh to be made, for which feature parameters are meant. sharp, keep_all, sheets: as
+  // of Reference_surface. A patch is of one sheet.
   Surface_partition(const Positions& points, const std::vector<Triangle_indices>& triangles, Edge_list sharp,
-                    bool keep_all, const Feature_parameters& parameters)
-    : surface(points, triangles, std::move(sharp), keep_all, parameters)
+                    bool keep_all, const Feature_parameters& parameters, std::vector<int> sheets = {})
+    : surface(points, triangles, std::move(sharp), keep_all, parameters, std::move(sheets))
     , patch_of_triangle_(triangles.size())
   {
     const Triangle_adjacency adjacency(triangles);
@@ -99,6 +99,16 @@ public:
     return best;
   }
 
+  // Of the sheet of a patch.
+  Vector_3 closest_point(int patch, const Vector_3& p) const
+  {
+    return surface.closest_point(p, Surface_point::no_hint, sheet_of_patch_[patch]).point;
+  }
+  Foot_point foot_point(int patch, const Vector_3& p) const
+  {
+    return surface.foot_point(p, Surface_point::no_hint, sheet_of_patch_[patch]);
+  }
+
   const Reference_surface surface;
 
 private:
@@ -112,14 +122,17 @@ private:
     adjacency.for_each_edge([&](const Triangle_adjacency::Sides& sides) {
       if (!curve_of_edge_.count(sides[0].edge))
         for (std::size_t i = 1; i < sides.size(); ++i)
-          sets.unite(sides[i].triangle, sides[0].triangle);
+          if (surface.sheet(sides[i].triangle) == surface.sheet(sides[0].triangle))
+            sets.unite(sides[i].triangle, sides[0].triangle);
     });
     std::map<std::size_t, int> number;
     std::vector<std::vector<Triangle_indices>> of_patch;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const auto inserted = number.emplace(sets.find(t), static_cast<int>(of_patch.size()));
-      if (inserted.second)
+      if (inserted.second) {
         of_patch.emplace_back();
+        sheet_of_patch_.push_back(surface.sheet(t));
+      }
       patch_of_triangle_[t] = inserted.first->second;
       of_patch[inserted.first->second].push_back(surface.triangles[t]);
     }
@@ -150,14 +163,9 @@ private:
       for (const Triangle_adjacency::Side& side : sides)
         for (int v : edge)
           at_vertex[v].insert(patch_of_triangle_[side.triangle]);
-      if (sides.size() != 2 || patch_of_triangle_[sides[0].triangle] == patch_of_triangle_[sides[1].triangle])
-        continue;
-      Border& border = borders_[ordered(patch_of_triangle_[sides[0].triangle], patch_of_triangle_[sides[1].triangle])];
-      if (std::find(border.curves.begin(), border.curves.end(), curve) == border.curves.end())
-        border.curves.push_back(curve);
-      const double length = (surface.points[edge[1]] - surface.points[edge[0]]).norm();
-      border.length += length;
-      border.angle += length * interior_angle(sides);
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        for (std::size_t j = i + 1; j < sides.size(); ++j)
+          add_to_border(sides[i], sides[j], curve, edge);
     }
     for (auto& of_pair : borders_)
       if (of_pair.second.length > 0)
@@ -166,22 +174,35 @@ private:
       patches_at_corner_.emplace_back(at_vertex[corner].begin(), at_vertex[corner].end());
   }
 
-  double interior_angle(const Triangle_adjacency::Sides& sides) const
+  void add_to_border(const Triangle_adjacency::Side& a, const Triangle_adjacency::Side& b, int curve,
+                     const std::array<int, 2>& edge)
+  {
+    if (patch_of_triangle_[a.triangle] == patch_of_triangle_[b.triangle])
+      return;
+    Border& border = borders_[ordered(patch_of_triangle_[a.triangle], patch_of_triangle_[b.triangle])];
+    if (std::find(border.curves.begin(), border.curves.end(), curve) == border.curves.end())
+      border.curves.push_back(curve);
+    const double length = (surface.points[edge[1]] - surface.points[edge[0]]).norm();
+    border.length += length;
+    border.angle += length * interior_angle(a, b);
+  }
+
+  double interior_angle(const Triangle_adjacency::Side& a, const Triangle_adjacency::Side& b) const
   {
     const auto normal = [&](const Triangle_adjacency::Side& side) {
-      const Vector_3& a = surface.corner(side.triangle, 0);
-      return Vector_3((surface.corner(side.triangle, 1) - a).cross(surface.corner(side.triangle, 2) - a));
+      const Vector_3& origin = surface.corner(side.triangle, 0);
+      return Vector_3((surface.corner(side.triangle, 1) - origin).cross(surface.corner(side.triangle, 2) - origin));
     };
-    const Vector_3 m = normal(sides[0]), n = normal(sides[1]);
+    const Vector_3 m = normal(a), n = normal(b);
     // along the edge as the first triangle runs
-    const Vector_3 edge = surface.corner(sides[0].triangle, (sides[0].corner + 1) % 3) -
-                          surface.corner(sides[0].triangle, sides[0].corner);
+    const Vector_3 edge = surface.corner(a.triangle, (a.corner + 1) % 3) - surface.corner(a.triangle, a.corner);
     const double bend = std::atan2(m.cross(n).dot(edge.normalized()), m.dot(n)); // positive where convex
     return 180 - bend * 180 / CGAL_PI;
   }
 
   std::map<std::array<int, 2>, int> curve_of_edge_;
   std::vector<int> patch_of_triangle_;
+  std::vector<int> sheet_of_patch_;
   std::vector<std::unique_ptr<const Triangle_surface>> patches_;
   std::map<Patch_pair, Border> borders_;
   std::vector<std::vector<int>> patches_at_corner_; // of each corner of the surface, sorted

@@ -44,13 +44,15 @@ struct Meshed_body
   Reference_input surface;                 // closed: that of the body alone
   std::vector<std::size_t> face_of;        // of each of its triangles, a face of the surface as given
   Meshing_parameters parameters;           // with the number that is the body's share
+  std::vector<int> labels;                 // of the hexahedra; none: all are of one
+  std::vector<Material_report> materials;  // then, what was asked for
   double area = 0;                         // of that
   std::ptrdiff_t euler_characteristic = 0; // of the boundary of the hexahedra
 };
 
 struct Meshed_solid
 {
-  std::vector<Meshed_body> bodies;
+  std::vector<Meshed_body> bodies; // one if its parts stay apart
   Surface_report report;
   double diagonal = 0; // of the box of the surface
 };
@@ -67,10 +69,16 @@ struct Padded_mesh
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
 void require_volume(const Reference_input& surface);
 
-// Voxels, layers, and positions to start the optimization from, of each body. Throws Input_error as well where the cells do
-// not resolve the surface: the topology would not be its.
+// Voxels, layers, and positions to start the optimization from, of each body. Throws Input_error as well where the
+// cells do not resolve the surface: the topology would not be its. parts: of each face a label, of those that stay
+// apart; none: all are united.
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
-Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters& parameters);
+Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters& parameters,
+                        const std::vector<int>& parts = {});
+
+// Of each face of a surface, the number of the closed part that it belongs to, from 1.
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+std::vector<int> closed_parts(const Reference_input& surface);
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
 Meshed_surface voxelize_surface(const Reference_input& surface, double spacing, std::size_t minimum_cells_across);

@@ -16,6 +16,8 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Region_mesher.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Region_surfaces.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Soup_repair.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_check.h>
@@ -24,6 +26,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/insert_layers.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/surface_components.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
@@ -62,23 +65,59 @@ inline void mesh_body(Meshed_body& body)
   Reference_input turned = body.surface;
   for (Vector_3& p : turned.points)
     p = axes.transpose() * p;
-  Hex_mesher mesher(turned, body.parameters);
+  const auto take = [&](const auto& mesher) {
+    body.points.clear();
+    for (const Vector_3& p : mesher.mesh.points)
+      body.points.push_back(axes * p);
+    body.hexahedra = mesher.mesh.hexahedra;
+    body.euler_characteristic = euler_characteristic(mesher.mesh);
+    body.area = surface_area(body.surface.points, body.surface.triangles);
+  };
+  if (!body.surface.labels.empty()) {
+    const Region_mesher mesher(turned, body.materials, body.parameters);
+    take(mesher);
+    body.labels = mesher.region;
+    body.status = {mesher.spacing, mesher.unresolved.empty(), {}};
+    for (Material_report& material : body.materials)
+      material.has_topology = !std::binary_search(mesher.unresolved.begin(), mesher.unresolved.end(), material.label);
+    return;
+  }
+  const Hex_mesher mesher(turned, body.parameters);
   if (!mesher.has_topology_of_surface)
     throw Input_error(Input_error::Element::MESH, 0, mesher.unresolved(axes));
-  body.points.clear();
-  for (const Vector_3& p : mesher.mesh.points)
-    body.points.push_back(axes * p);
+  take(mesher);
   body.status = {mesher.spacing, mesher.has_topology_of_surface, {}};
   for (std::size_t t : mesher.thin_triangles)
     body.status.thin_faces.push_back(body.face_of[t]);
-  body.euler_characteristic = euler_characteristic(mesher.mesh);
-  body.area = surface_area(body.surface.points, body.surface.triangles);
-  body.hexahedra = std::move(mesher.mesh.hexahedra);
+}
+
+// Of all parts, each with its label.
+inline Meshed_solid mesh_parts(const Reference_input& surface, const Meshing_parameters& parameters,
+                               const std::vector<int>& parts)
+{
+  Region_surfaces regions(surface, parts, double(parameters.number_of_hexahedra), parameters.spacing);
+  Meshed_body meshed;
+  meshed.parameters = parameters;
+  meshed.surface = std::move(regions.surface);
+  meshed.face_of = std::move(regions.face_of);
+  meshed.materials = std::move(regions.materials);
+  mesh_body(meshed);
+  Meshed_solid result;
+  result.bodies.push_back(std::move(meshed));
+  result.report = std::move(regions.report);
+  return result;
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
-Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters& parameters)
+Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters& parameters,
+                        const std::vector<int>& parts)
 {
+  const double diagonal = bounding_box(surface.points, surface.triangles).diagonal().norm();
+  if (!parts.empty()) {
+    Meshed_solid result = mesh_parts(surface, parameters, parts);
+    result.diagonal = diagonal;
+    return result;
+  }
   Solid_of_surface solid(surface, double(parameters.number_of_hexahedra), parameters.spacing);
   const double h = spacing_for(solid.report.volume, solid.report.area, double(parameters.number_of_hexahedra));
   Meshed_solid result;
@@ -95,8 +134,14 @@ Meshed_solid mesh_solid(const Reference_input& surface, const Meshing_parameters
     result.bodies.push_back(std::move(meshed));
   }
   result.report = solid.report;
-  result.diagonal = bounding_box(surface.points, surface.triangles).diagonal().norm();
+  result.diagonal = diagonal;
   return result;
+}
+
+CGAL_HEX_MESH_OPTIMIZATION_INLINE
+std::vector<int> closed_parts(const Reference_input& surface)
+{
+  return surface_components(surface.points, surface.triangles);
 }
 
 CGAL_HEX_MESH_OPTIMIZATION_INLINE
@@ -123,6 +168,7 @@ std::optional<Meshed_body> mesh_again(const Meshed_body& body, double factor)
                                                                    double(body.parameters.number_of_hexahedra));
   result.surface = body.surface;
   result.face_of = body.face_of;
+  result.materials = body.materials;
   try {
     mesh_body(result);
   }

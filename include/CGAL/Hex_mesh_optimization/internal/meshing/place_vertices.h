@@ -32,25 +32,17 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-// Rounds of smoothing: each vertex goes to the mean of its neighbors, and if it is on the boundary then to the nearest
-// place that is its own. mesh.label are patches. O(n) for each round, and a search for each boundary vertex.
-inline void place_vertices(Hexahedra& mesh, const Surface_partition& partition, int rounds)
+// Rounds of smoothing: each vertex goes to the mean of its neighbors, and if it is of a patch then to the nearest place that
+// is its own. patches: of each vertex, sorted; vertices: those that have any. O(n) for each round, and a search for each of
+// the vertices.
+inline void place_vertices(Hexahedra& mesh, const std::vector<std::vector<int>>& patches,
+                           const std::vector<int>& vertices, const Surface_partition& partition, int rounds)
 {
-  const Boundary_fans fans(mesh, opposite_sides(mesh));
   const std::size_t n = mesh.points.size();
-  std::vector<std::vector<int>> patches(n); // sorted; none of interior vertices
-  for (std::size_t i = 0; i < fans.vertices.size(); ++i) {
-    std::vector<int>& of_vertex = patches[fans.vertices[i]];
-    for (int f : fans.fans[i])
-      of_vertex.push_back(mesh.label[fans.sides[f]]);
-    std::sort(of_vertex.begin(), of_vertex.end());
-    of_vertex.erase(std::unique(of_vertex.begin(), of_vertex.end()), of_vertex.end());
-  }
-
   // Of the vertices that could stand at a corner, the nearest one does.
   std::vector<char> is_at_corner(n, false);
   std::map<std::array<double, 3>, int> of_corner;
-  for (int v : fans.vertices)
+  for (int v : vertices)
     if (patches[v].size() > 2)
       if (const std::optional<Vector_3> corner = partition.nearest(patches[v], mesh.points[v])) {
         const auto inserted = of_corner.emplace(std::array<double, 3>{(*corner)[0], (*corner)[1], (*corner)[2]}, v);
@@ -74,7 +66,7 @@ inline void place_vertices(Hexahedra& mesh, const Surface_partition& partition, 
           if (const std::optional<Vector_3> q = partition.nearest({patches[v][i], patches[v][j]}, p))
             if (!best || (*q - p).norm() < (*best - p).norm())
               best = q;
-    p = best ? *best : partition.surface.closest_point(p).point;
+    p = best ? *best : partition.closest_point(patches[v][0], p);
   };
 
   // Along a curve, the neighbors on it count; on the boundary, those on the boundary.
@@ -93,7 +85,7 @@ inline void place_vertices(Hexahedra& mesh, const Surface_partition& partition, 
   const Grouped_array neighbors(
     n, directed.size(), [&](std::size_t i) { return directed[i][0]; }, [&](std::size_t i) { return directed[i][1]; });
 
-  for (int v : fans.vertices)
+  for (int v : vertices)
     if (!is_at_corner[v])
       to_own_place(v);
   for (int round = 0; round < rounds; ++round)
@@ -105,13 +97,28 @@ inline void place_vertices(Hexahedra& mesh, const Surface_partition& partition, 
         sum += mesh.points[u];
       Vector_3 step = sum / double(neighbors[v].size()) - mesh.points[v];
       if (patches[v].size() == 1) { // along the surface: a thin part does not shrink
-        const Vector_3 normal = partition.surface.foot_point(mesh.points[v]).normal;
+        const Vector_3 normal = partition.foot_point(patches[v][0], mesh.points[v]).normal;
         step -= normal.dot(step) * normal;
       }
       mesh.points[v] += step;
       if (!patches[v].empty())
         to_own_place(static_cast<int>(v));
     }
+}
+
+// Of the boundary: mesh.label are patches.
+inline void place_vertices(Hexahedra& mesh, const Surface_partition& partition, int rounds)
+{
+  const Boundary_fans fans(mesh, opposite_sides(mesh));
+  std::vector<std::vector<int>> patches(mesh.points.size());
+  for (std::size_t i = 0; i < fans.vertices.size(); ++i) {
+    std::vector<int>& of_vertex = patches[fans.vertices[i]];
+    for (int f : fans.fans[i])
+      of_vertex.push_back(mesh.label[fans.sides[f]]);
+    std::sort(of_vertex.begin(), of_vertex.end());
+    of_vertex.erase(std::unique(of_vertex.begin(), of_vertex.end()), of_vertex.end());
+  }
+  place_vertices(mesh, patches, fans.vertices, partition, rounds);
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal
