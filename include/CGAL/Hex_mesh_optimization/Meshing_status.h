@@ -65,7 +65,7 @@ struct Surface_report
  */
 struct Material_report
 {
-  int label = 0;
+  int label = 0;                           ///< Of the faces of the part, and of its hexahedra.
   double volume = 0;                       ///< That the part bounds outside of those with higher labels.
   double area = 0;                         ///< Of the boundary of that.
   std::size_t number_of_bodies = 0;        ///< Pieces of that which do not hang together.
