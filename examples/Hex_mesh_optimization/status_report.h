@@ -183,6 +183,17 @@ inline Json json(const HMO::Iteration& i)
           {"seconds", i.seconds}};
 }
 
+inline Json json(const HMO::Attempt& a)
+{
+  return {{"name", a.name},
+          {"is_taken", a.is_taken},
+          {"iterations", a.iterations},
+          {"seconds", a.seconds},
+          {"number_of_inverted", a.number_of_inverted},
+          {"minimum", a.minimum},
+          {"average", a.average}};
+}
+
 // center: of a hexahedron, by its number.
 template <class Center>
 Json json(const HMO::Status& status, const Center& center, const Labels& labels)
@@ -199,7 +210,9 @@ Json json(const HMO::Status& status, const Center& center, const Labels& labels)
                       {"largest_scaled_jacobian", l.largest_scaled_jacobian},
                       {"scaled_jacobian", l.scaled_jacobian},
                       {"is_reached", l.is_reached()}});
-  Json regions = Json::array(), interfaces = Json::array();
+  Json regions = Json::array(), interfaces = Json::array(), attempts = Json::array();
+  for (const HMO::Attempt& a : status.attempts)
+    attempts.push_back(json(a));
   for (const HMO::Region_volume& r : status.regions)
     regions.push_back({{"label", labels.value(r.label)}, {"volume_before", r.before}, {"volume_after", r.after}});
   for (const HMO::Interface_statistics& i : status.interfaces)
@@ -221,6 +234,7 @@ Json json(const HMO::Status& status, const Center& center, const Labels& labels)
           {"deviation", json(status.deviation)},
           {"is_within_deviation_bound", status.is_within_deviation_bound()},
           {"iterations", status.iterations},
+          {"attempts", attempts},
           {"rectification_seconds", status.rectification_seconds},
           {"untangling_seconds", status.untangling_seconds},
           {"maximization_seconds", status.maximization_seconds},

@@ -18,6 +18,7 @@ from ._files import Lost_data_warning, Mesh, read, read_surface, write
 from ._page import Page, show
 from ._run import invalid, make, optimize, quality, reoriented, statistics
 from ._status import (
+    Attempt,
     Boundary_placement,
     Connectivity_limit,
     Connectivity_limit_reason,
@@ -37,6 +38,7 @@ from ._status import (
 )
 
 __all__ = [
+    "Attempt",
     "Boundary_placement",
     "Connectivity_limit",
     "Connectivity_limit_reason",

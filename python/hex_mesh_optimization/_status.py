@@ -14,6 +14,7 @@ from typing import Any, Dict, List, Mapping, Tuple, Type, TypeVar
 from ._types import Integers
 
 __all__ = [
+    "Attempt",
     "Boundary_placement",
     "Connectivity_limit",
     "Connectivity_limit_reason",
@@ -185,6 +186,19 @@ class Connectivity_limit:
         return self.scaled_jacobian >= self.largest_scaled_jacobian - 0.01
 
 
+@dataclass(frozen=True)
+class Attempt:
+    """One way that was taken from the best mesh so far to a better one."""
+
+    name: str
+    is_taken: bool  #: whether what it has led to is the best mesh since then
+    iterations: int
+    seconds: float
+    number_of_inverted: int
+    minimum: float
+    average: float
+
+
 _S = TypeVar("_S", bound="Status")
 
 
@@ -202,6 +216,7 @@ class Status:
     volume_after: float
     deviation_bound: float
     iterations: int
+    attempts: List[Attempt]
     rectification_seconds: float
     untangling_seconds: float
     maximization_seconds: float
@@ -246,6 +261,7 @@ class Status:
         m["deviation"] = Deviation(**m["deviation"])
         m["regions"] = [Region_volume(*r) for r in m["regions"]]
         m["interfaces"] = [Interface_statistics(i[0], i[1], Deviation(**i[2])) for i in m["interfaces"]]
+        m["attempts"] = [Attempt(*a) for a in m["attempts"]]
         m["connectivity_limits"] = [
             Connectivity_limit(h, Connectivity_limit_reason[reason], limit, reached)
             for h, reason, limit, reached in m["connectivity_limits"]

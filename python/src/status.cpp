@@ -41,6 +41,15 @@ const char* name(HMO::Connectivity_limit_reason reason)
   return "";
 }
 
+py::list attempts(const HMO::Status& status)
+{
+  py::list result;
+  for (const HMO::Attempt& a : status.attempts)
+    result.append(
+      py::make_tuple(a.name, a.is_taken, a.iterations, a.seconds, a.number_of_inverted, a.minimum, a.average));
+  return result;
+}
+
 py::list limits(const HMO::Status& status)
 {
   py::list result;
@@ -114,6 +123,7 @@ py::dict as_dict(const HMO::Status& s, const Points& points, const Table& hexahe
   result["volume_after"] = s.volume_after;
   result["deviation_bound"] = s.deviation_bound;
   result["iterations"] = s.iterations;
+  result["attempts"] = attempts(s);
   result["rectification_seconds"] = s.rectification_seconds;
   result["untangling_seconds"] = s.untangling_seconds;
   result["maximization_seconds"] = s.maximization_seconds;

@@ -158,4 +158,23 @@ TEST(Status, has_time_for_those_stages_only_that_ran)
   }
 }
 
+TEST(Status, has_all_iterations_in_its_attempts_and_ends_with_what_the_last_taken_one_has_led_to)
+{
+  for (const Indexed_mesh& mesh : {block(4), scrambled(block(4)), scrambled_ball()}) {
+    const Status status = optimized(mesh, params::default_values());
+    std::size_t iterations = 0;
+    double minimum = status.before.minimum, seconds = 0;
+    for (const HMO::Attempt& attempt : status.attempts) {
+      EXPECT_FALSE(attempt.name.empty());
+      iterations += attempt.iterations;
+      seconds += attempt.seconds;
+      if (attempt.is_taken)
+        minimum = attempt.minimum;
+    }
+    EXPECT_EQ(iterations, status.iterations);
+    EXPECT_LE(seconds, status.total_seconds);
+    EXPECT_NEAR(minimum, status.after.minimum, 1e-9);
+  }
+}
+
 } // namespace

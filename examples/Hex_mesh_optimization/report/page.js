@@ -130,6 +130,8 @@ function fillNumbers() {
   group("Time");
   for (const [title, member] of times)
     row(title, onlyAfter(`status.${member}`), "seconds");
+  (status_.attempts || []).forEach((attempt, i) =>
+    row(`Attempt: ${attempt.name}${attempt.is_taken ? "" : ", not taken"}`, onlyAfter(`status.attempts.${i}.seconds`), "seconds"));
   byId("numbers").append(element("table", {}, element("thead", {}, element("tr", {}, element("td"), ...meshes.map(m => element("th", { scope: "col" }, m.name)))), body));
 
   const notes = (report.lost || []).map(line => `Not in the output: ${line}.`);

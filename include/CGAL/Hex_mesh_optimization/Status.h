@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization {
@@ -50,6 +51,21 @@ struct Interface_statistics
 
 /*!
  * \ingroup PkgHexMeshOptimizationResults
+ * One way that was taken from the best mesh so far to a better one, of those that the manual lists.
+ */
+struct Attempt
+{
+  std::string name;               ///< As in the manual.
+  bool is_taken;                  ///< Whether what it has led to is the best mesh since then.
+  std::size_t iterations;         ///< Over all stages of this attempt.
+  double seconds;                 ///< Wall-clock time.
+  std::size_t number_of_inverted; ///< Of the hexahedra that it has led to.
+  double minimum;                 ///< Of their scaled Jacobians.
+  double average;                 ///< Of their scaled Jacobians.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationResults
  * The result of `CGAL::optimize_hex_mesh()`. Hexahedra and vertices are listed by their indices; those of a linear cell
  * complex are the ones that `linear_cell_complex_to_hexahedra()` gives them.
  */
@@ -70,7 +86,8 @@ struct Status
 
   double deviation_bound = std::numeric_limits<double>::infinity(); ///< `maximum_deviation` as it was given, a length.
 
-  std::size_t iterations = 0; ///< Over all stages.
+  std::size_t iterations = 0;    ///< Over all stages.
+  std::vector<Attempt> attempts; ///< In the order in which they were made.
 
   double rectification_seconds = 0; ///< Wall-clock time of edge-cone rectification.
   double untangling_seconds = 0;    ///< Wall-clock time of untangling.

@@ -84,9 +84,16 @@ public:
     Reached best{model_.points, Stage_end::CONVERGED};
     for (const Attempt& attempt : attempts())
       if (!control_.check_time() && attempt.is_needed(best)) {
+        const double begun = control_.seconds();
+        const std::size_t iterations = control_.iterations;
         Reached reached = attempt.run(best);
         attach(model_.attachment, false);
-        if (attempt.accepts(reached, best))
+        const bool is_taken = attempt.accepts(reached, best);
+        const Mesh_quality quality(mesh_.complex, reached.points);
+        report_.status.attempts.push_back({attempt.name, is_taken, control_.iterations - iterations,
+                                           control_.seconds() - begun, quality.inverted, quality.minimum,
+                                           quality.average});
+        if (is_taken)
           best = std::move(reached);
       }
     if (control_.is_stopped() && is_better(incumbent_.points, best.points))
@@ -108,7 +115,7 @@ private:
   // One way from the best state so far to a better one.
   struct Attempt
   {
-    const char* name; // for whoever reads the table
+    const char* name; // in the status
     std::function<bool(const Reached& best)> is_needed;
     std::function<Reached(const Reached& best)> run;
     std::function<bool(const Reached& reached, const Reached& best)> accepts;
