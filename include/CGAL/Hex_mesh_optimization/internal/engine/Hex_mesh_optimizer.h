@@ -147,6 +147,9 @@ private:
       {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
        [this](const Reached& best) { return untangled(best, First::FIRST); }, if_better},
       {"rectification", is_inverted, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
+      {"interior point within the boundary", [this](const Reached& best) { return may_step_within_boundary(best.points); },
+       [this](const Reached& best) { return improved_within_boundary(best); },
+       [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
       {"interior point", [this](const Reached& best) { return may_step_feasibly(best.points); },
        [this](const Reached& best) { return improved_within(best); },
        [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
@@ -158,6 +161,8 @@ private:
        [this](const Reached&) { return maximized(rectified_and_untangled()); }, if_better},
       {"start within the bound", [this](const Reached& best) { return is_beyond_bound(best.points); },
        [this](const Reached& best) { return reached_within_bound(best); }, if_better},
+      {"boundary as it came in", [this](const Reached& best) { return is_short_of_goals(best.points); },
+       [this](const Reached&) { return untangled_within_boundary({model_.points}); }, if_better},
       {"search within the bound", [this](const Reached& best) { return may_raise_within_bound(best.points); },
        [this](const Reached& best) { return raised_within_bound(best); }, if_better},
       {"spare quality", [this](const Reached&) { return may_spend_quality(); },
@@ -255,6 +260,19 @@ private:
     const Mesh_quality quality(mesh_.complex, points);
     return report_.status.before.number_of_invalid == 0 && quality.invalid == 0 &&
            (!model_.reference_is_given || is_limited(quality));
+  }
+
+  // Whether that is to begin with the interior: within a close bound, and where vertices stay on their surface, what moves
+  // on the boundary is often held back, and hexahedra beside it are with it.
+  bool may_step_within_boundary(const Positions& points) const
+  {
+    return may_step_feasibly(points) && !model_.reference_is_given && (has_bound() || is_exact());
+  }
+
+  // Whether the mesh misses what a fixed boundary may reach.
+  bool is_short_of_goals(const Positions& points)
+  {
+    return !model_.reference_is_given && (!standing_of(points).is_good() || is_beyond_bound(points));
   }
 
   // Whether all vertices have come to their places on the surface, which has cost their hexahedra quality.
@@ -399,6 +417,17 @@ private:
     return reached;
   }
 
+  // Nothing of the boundary moves.
+  Reached improved_within_boundary(const Reached& best)
+  {
+    const Boundary_attachment held = held_boundary();
+    attach(held, false);
+    bind(std::numeric_limits<double>::infinity());
+    Reached reached = improved_within(best);
+    bind(parameters_.maximum_deviation / model_.unit);
+    return reached;
+  }
+
   // The boundary is loosely attached at first.
   Reached maximized(const Reached& best)
   {
@@ -498,8 +527,11 @@ private:
   bool is_better(const Positions& first, const Positions& second)
   {
     const Standing a = standing_of(first), b = standing_of(second);
-    return a < b ||
-           (!(b < a) && Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum);
+    if (a < b || b < a)
+      return a < b;
+    if (is_beyond_bound(first) != is_beyond_bound(second))
+      return is_beyond_bound(second);
+    return Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum;
   }
 
   // The best state of any stage in the order of goals: what is written if the run ends now. Returns what is shown of it.
