@@ -281,6 +281,8 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
     std::cout << text(status.vertices_off_reference.size())
               << " vertices are not on the corner, curve or face of the reference that they belong to"
               << " (--json lists them).\n";
+  for (const std::string& sentence : in_words(status.volume_changes, labels))
+    std::cout << sentence << '\n';
   print_connectivity_limits(status);
   if (status.valid_mesh()) {
     std::cout << "The mesh is valid.\n";

@@ -194,6 +194,23 @@ inline Json json(const HMO::Attempt& a)
           {"average", a.average}};
 }
 
+// In one sentence for each piece.
+inline std::vector<std::string> in_words(const std::vector<HMO::Volume_change>& changes, const Labels& labels)
+{
+  std::vector<std::string> result;
+  for (const HMO::Volume_change& c : changes) {
+    std::ostringstream out;
+    out << "The volume of " << c.number_of_hexahedra << " connected hexahedra";
+    if (labels.values.size() > 1)
+      out << " with label " << labels.value(c.label);
+    out << " (the first is " << c.hexahedron << ") changed from " << text(c.before) << " to " << text(c.after);
+    if (c.before > 0)
+      out << ", by " << std::showpos << std::setprecision(2) << 100 * (c.after / c.before - 1) << " %";
+    result.push_back(out.str() + ".");
+  }
+  return result;
+}
+
 // center: of a hexahedron, by its number.
 template <class Center>
 Json json(const HMO::Status& status, const Center& center, const Labels& labels)
@@ -210,7 +227,13 @@ Json json(const HMO::Status& status, const Center& center, const Labels& labels)
                       {"largest_scaled_jacobian", l.largest_scaled_jacobian},
                       {"scaled_jacobian", l.scaled_jacobian},
                       {"is_reached", l.is_reached()}});
-  Json regions = Json::array(), interfaces = Json::array(), attempts = Json::array();
+  Json regions = Json::array(), interfaces = Json::array(), attempts = Json::array(), changes = Json::array();
+  for (const HMO::Volume_change& c : status.volume_changes)
+    changes.push_back({{"label", labels.value(c.label)},
+                       {"hexahedron", c.hexahedron},
+                       {"number_of_hexahedra", c.number_of_hexahedra},
+                       {"volume_before", c.before},
+                       {"volume_after", c.after}});
   for (const HMO::Attempt& a : status.attempts)
     attempts.push_back(json(a));
   for (const HMO::Region_volume& r : status.regions)
@@ -229,6 +252,8 @@ Json json(const HMO::Status& status, const Center& center, const Labels& labels)
           {"after", json(status.after)},
           {"volume_before", status.volume_before},
           {"volume_after", status.volume_after},
+          {"volume_changes", changes},
+          {"volume_changes_in_words", in_words(status.volume_changes, labels)},
           {"regions", regions},
           {"interfaces", interfaces},
           {"deviation", json(status.deviation)},

@@ -35,6 +35,7 @@ from ._status import (
     Stage,
     Status,
     Target_edge_lengths,
+    Volume_change,
 )
 
 __all__ = [
@@ -61,6 +62,7 @@ __all__ = [
     "Stage",
     "Status",
     "Target_edge_lengths",
+    "Volume_change",
     "__version__",
     "invalid",
     "make",

@@ -69,6 +69,7 @@ def _report_of_meshes(before: Tuple[Array, Array], after: Tuple[Array, Array]) -
         "deviation_bound": None,
         "iterations": 0,
         "attempts": [],
+        "volume_changes": [],
         "number_of_reoriented_hexahedra": 0,
         "number_of_coincident_vertices": 0,
         "invalid_hexahedra": [

@@ -31,6 +31,7 @@ __all__ = [
     "Stage",
     "Status",
     "Target_edge_lengths",
+    "Volume_change",
 ]
 
 
@@ -187,6 +188,17 @@ class Connectivity_limit:
 
 
 @dataclass(frozen=True)
+class Volume_change:
+    """Connected hexahedra with one label whose volume has changed by more than one percent."""
+
+    label: int
+    hexahedron: int  #: the first of them
+    number_of_hexahedra: int
+    before: float
+    after: float
+
+
+@dataclass(frozen=True)
 class Attempt:
     """One way that was taken from the best mesh so far to a better one."""
 
@@ -214,6 +226,8 @@ class Status:
     interfaces: List[Interface_statistics]
     volume_before: float
     volume_after: float
+    volume_changes: List[Volume_change]
+    volume_changes_in_words: List[str]
     deviation_bound: float
     iterations: int
     attempts: List[Attempt]
@@ -261,6 +275,7 @@ class Status:
         m["deviation"] = Deviation(**m["deviation"])
         m["regions"] = [Region_volume(*r) for r in m["regions"]]
         m["interfaces"] = [Interface_statistics(i[0], i[1], Deviation(**i[2])) for i in m["interfaces"]]
+        m["volume_changes"] = [Volume_change(*c) for c in m["volume_changes"]]
         m["attempts"] = [Attempt(*a) for a in m["attempts"]]
         m["connectivity_limits"] = [
             Connectivity_limit(h, Connectivity_limit_reason[reason], limit, reached)
@@ -289,6 +304,7 @@ class Status:
             result.append(
                 f"{len(self.vertices_off_reference)} vertices are not where they belong on the reference (vertices_off_reference)."
             )
+        result += self.volume_changes_in_words
         reached = sum(limit.is_reached for limit in self.connectivity_limits)
         if reached > 0:
             result.append(f"{reached} hexahedra are at the limit that the connectivity sets (connectivity_limits).")

@@ -50,6 +50,14 @@ py::list attempts(const HMO::Status& status)
   return result;
 }
 
+py::list volume_changes(const HMO::Status& status, const Labels& labels)
+{
+  py::list result;
+  for (const HMO::Volume_change& c : status.volume_changes)
+    result.append(py::make_tuple(labels.value(c.label), c.hexahedron, c.number_of_hexahedra, c.before, c.after));
+  return result;
+}
+
 py::list limits(const HMO::Status& status)
 {
   py::list result;
@@ -121,6 +129,8 @@ py::dict as_dict(const HMO::Status& s, const Points& points, const Table& hexahe
   result["interfaces"] = interfaces(s, labels);
   result["volume_before"] = s.volume_before;
   result["volume_after"] = s.volume_after;
+  result["volume_changes"] = volume_changes(s, labels);
+  result["volume_changes_in_words"] = in_words(s.volume_changes, labels);
   result["deviation_bound"] = s.deviation_bound;
   result["iterations"] = s.iterations;
   result["attempts"] = attempts(s);

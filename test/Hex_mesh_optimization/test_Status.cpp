@@ -158,6 +158,35 @@ TEST(Status, has_time_for_those_stages_only_that_ran)
   }
 }
 
+// Of two blocks, one is brought to a longer one.
+TEST(Status, names_the_pieces_whose_volume_has_changed)
+{
+  Indexed_mesh mesh = block(3);
+  const std::size_t hexahedra = mesh.hexahedra.size(), vertices = mesh.points.size();
+  for (std::size_t v = 0; v < vertices; ++v)
+    mesh.points.emplace_back(mesh.points[v].x() + 5, mesh.points[v].y(), mesh.points[v].z());
+  for (std::size_t h = 0; h < hexahedra; ++h) {
+    mesh.hexahedra.push_back(mesh.hexahedra[h]);
+    for (std::size_t& v : mesh.hexahedra.back())
+      v += vertices;
+  }
+  EXPECT_TRUE(optimized(mesh, params::default_values()).volume_changes.empty());
+
+  Surface_mesh surface; // of the two, the second longer by a tenth
+  for (double length : {0., 1.1}) {
+    const double x = length > 0 ? 5 : 0, end = x + (length > 0 ? length : 1);
+    CGAL::make_hexahedron(Point(x, 0, 0), Point(end, 0, 0), Point(end, 1, 0), Point(x, 1, 0), Point(x, 1, 1),
+                          Point(x, 0, 1), Point(end, 0, 1), Point(end, 1, 1), surface);
+  }
+  CGAL::Polygon_mesh_processing::triangulate_faces(surface);
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, surface);
+  ASSERT_EQ(status.volume_changes.size(), 1u);
+  EXPECT_EQ(status.volume_changes[0].hexahedron, hexahedra);
+  EXPECT_EQ(status.volume_changes[0].number_of_hexahedra, hexahedra);
+  EXPECT_NEAR(status.volume_changes[0].before, 1, 1e-9);
+  EXPECT_NEAR(status.volume_changes[0].after, 1.1, .01);
+}
+
 TEST(Status, has_all_iterations_in_its_attempts_and_ends_with_what_the_last_taken_one_has_led_to)
 {
   for (const Indexed_mesh& mesh : {block(4), scrambled(block(4)), scrambled_ball()}) {

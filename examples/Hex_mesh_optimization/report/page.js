@@ -140,6 +140,7 @@ function fillNumbers() {
   note(report.number_of_merged_vertices || 0, "vertex coincides with another one and was merged with it.", "vertices coincide with others and were merged with them.");
   note(status_.number_of_coincident_vertices, "vertex coincides with another one: faces are in the same place, but their hexahedra are no neighbors.", "vertices coincide with others: faces are in the same place, but their hexahedra are no neighbors.");
   note(status_.locked_hexahedra.length, "invalid hexahedron has an inverted corner whose vertices are all fixed.", "invalid hexahedra have an inverted corner whose vertices are all fixed.");
+  notes.push(...(status_.volume_changes_in_words || []));
   if (report.comparison && !report.comparison.deviation)
     notes.push("The deviation of the other result is not measured: the mesh has interfaces.");
   byId("notes").append(...notes.map(text => element("li", {}, text)));

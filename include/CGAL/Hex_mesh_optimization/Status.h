@@ -40,6 +40,20 @@ struct Region_volume
 
 /*!
  * \ingroup PkgHexMeshOptimizationResults
+ * A piece of the mesh whose volume has changed by more than one percent: hexahedra with one label that are connected
+ * through faces.
+ */
+struct Volume_change
+{
+  int label;                        ///< Of the hexahedra.
+  std::size_t hexahedron;           ///< The first of them.
+  std::size_t number_of_hexahedra;  ///< Of this piece.
+  double before;                    ///< The volume that came in; as trilinear maps, where they fold with their signs.
+  double after;                     ///< The volume now.
+};
+
+/*!
+ * \ingroup PkgHexMeshOptimizationResults
  * What became of the faces between the hexahedra of two labels, or of the internal faces within one.
  */
 struct Interface_statistics
@@ -83,6 +97,10 @@ struct Status
   double volume_before =
     0; ///< Of all hexahedra of the mesh that came in, as trilinear maps; where they fold, with their signs.
   double volume_after = 0; ///< Of the mesh as it is now.
+
+  /// The pieces whose volume has changed by more than one percent, by their first hexahedra. A reference has its own
+  /// volume; without one, no piece that comes in with a sound boundary should be here.
+  std::vector<Volume_change> volume_changes;
 
   double deviation_bound = std::numeric_limits<double>::infinity(); ///< `maximum_deviation` as it was given, a length.
 

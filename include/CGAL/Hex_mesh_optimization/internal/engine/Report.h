@@ -20,6 +20,7 @@
 #include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
+#include <CGAL/Hex_mesh_optimization/internal/base/Disjoint_sets.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
@@ -87,6 +88,7 @@ public:
         status.interfaces.push_back(
           {model_.faces.labels[s], model_.faces.size_of_sheet(static_cast<int>(s)), measured.of_sheet[s]});
     status.volume_after = measure_volumes(positions_, &Region_volume::after);
+    find_volume_changes();
     for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h)
       if (hexahedron_validity(hexahedron_coordinates(positions_, mesh_.complex.hexahedra[h])) != Validity::VALID) {
         status.invalid_hexahedra.push_back(mesh_.order.given_hexahedron(h));
@@ -174,10 +176,7 @@ private:
   {
     double sum = 0;
     for (std::size_t h = 0; h < mesh_.complex.hexahedra.size(); ++h) {
-      Vector_3 corners[8];
-      for (int k = 0; k < 8; ++k)
-        corners[k] = positions[mesh_.complex.hexahedra[h][k]];
-      const double v = volume(corners);
+      const double v = volume_of(h, positions);
       sum += v;
       const auto region = std::lower_bound(status.regions.begin(), status.regions.end(),
                                            mesh_.complex.label(static_cast<int>(h)),
@@ -185,6 +184,40 @@ private:
       (*region).*of_region += v;
     }
     return sum;
+  }
+
+  double volume_of(std::size_t h, const Positions& positions) const
+  {
+    Vector_3 corners[8];
+    for (int k = 0; k < 8; ++k)
+      corners[k] = positions[mesh_.complex.hexahedra[h][k]];
+    return volume(corners);
+  }
+
+  // Of the pieces of one label that hang together through faces.
+  void find_volume_changes()
+  {
+    const Hexahedral_complex& complex = mesh_.complex;
+    Disjoint_sets pieces(complex.hexahedra.size());
+    for (const auto& sides : complex.interior_faces)
+      pieces.unite(static_cast<std::size_t>(sides[0].first), static_cast<std::size_t>(sides[1].first));
+    for (const Hexahedral_complex::Boundary_face& face : complex.boundary_faces)
+      if (face.beyond >= 0 && complex.label(face.beyond) == complex.label(face.hexahedron))
+        pieces.unite(static_cast<std::size_t>(face.hexahedron), static_cast<std::size_t>(face.beyond));
+    std::vector<Volume_change> of_piece(complex.hexahedra.size(), {0, complex.hexahedra.size(), 0, 0, 0});
+    for (std::size_t h = 0; h < complex.hexahedra.size(); ++h) {
+      Volume_change& piece = of_piece[pieces.find(h)];
+      piece.label = complex.label(static_cast<int>(h));
+      piece.hexahedron = (std::min)(piece.hexahedron, static_cast<std::size_t>(mesh_.order.given_hexahedron(h)));
+      ++piece.number_of_hexahedra;
+      piece.before += volume_of(h, mesh_.points);
+      piece.after += volume_of(h, positions_);
+    }
+    for (const Volume_change& piece : of_piece)
+      if (std::abs(piece.after - piece.before) > noticed_change * std::abs(piece.before))
+        status.volume_changes.push_back(piece);
+    std::sort(status.volume_changes.begin(), status.volume_changes.end(),
+              [](const Volume_change& a, const Volume_change& b) { return a.hexahedron < b.hexahedron; });
   }
 
   // Whether the input is as good as a mesh can be, and on its reference: what may still change is rounding.
@@ -212,6 +245,7 @@ private:
   }
 
   static constexpr double rounding = 1e-12;
+  static constexpr double noticed_change = .01; // of a volume
 
   const Checked_mesh& mesh_;
   const Model& model_;

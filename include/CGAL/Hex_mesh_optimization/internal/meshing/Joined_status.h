@@ -137,6 +137,7 @@ private:
     status.untangling_seconds += part.untangling_seconds;
     status.maximization_seconds += part.maximization_seconds;
     status.total_seconds += part.total_seconds;
+    status.volume_changes.insert(status.volume_changes.end(), part.volume_changes.begin(), part.volume_changes.end());
     status.attempts.insert(status.attempts.end(), part.attempts.begin(), part.attempts.end());
     append(status.invalid_hexahedra, part.invalid_hexahedra);
     append(status.locked_hexahedra, part.locked_hexahedra);
