@@ -16,8 +16,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -204,6 +207,77 @@ TEST(Status, has_all_iterations_in_its_attempts_and_ends_with_what_the_last_take
     EXPECT_LE(seconds, status.total_seconds);
     EXPECT_NEAR(minimum, status.after.minimum, 1e-9);
   }
+}
+
+// --- Which attempts are made ----------------------------------------------------------
+
+std::vector<std::string> names(const Status& status)
+{
+  std::vector<std::string> result;
+  for (const HMO::Attempt& attempt : status.attempts)
+    result.push_back(attempt.name);
+  return result;
+}
+
+bool has(const Status& status, const std::string& name)
+{
+  const std::vector<std::string> all = names(status);
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+TEST(Attempts, leave_a_sound_boundary_where_it_is_and_end_with_what_is_good_there)
+{
+  for (const Indexed_mesh& mesh : {scrambled(block(4)), scrambled_ball()}) {
+    const Status status = optimized(mesh, params::default_values());
+    ASSERT_FALSE(status.attempts.empty());
+    EXPECT_EQ(status.attempts[0].name, "untangling within the boundary");
+    EXPECT_TRUE(status.attempts[0].is_taken);
+    EXPECT_FALSE(has(status, "rectification"));
+    EXPECT_LT(status.deviation.maximum_relative, 1e-12);
+  }
+}
+
+TEST(Attempts, take_feasible_steps_from_what_is_valid)
+{
+  Indexed_mesh mesh = block(4);
+  HMO::scramble_interior(mesh.points, mesh.hexahedra, 1, .3);
+  const Status status = optimized(mesh, params::default_values());
+  ASSERT_EQ(status.before.number_of_invalid, 0u);
+  ASSERT_FALSE(status.attempts.empty());
+  EXPECT_EQ(status.attempts[0].name, "interior point");
+  EXPECT_TRUE(status.attempts[0].is_taken);
+  EXPECT_GT(status.attempts[0].average, status.before.average);
+  const Status bounded = optimized(mesh, params::maximum_deviation(1e-6));
+  ASSERT_GE(bounded.attempts.size(), 2u);
+  EXPECT_EQ(bounded.attempts[0].name, "interior point within the boundary");
+  EXPECT_EQ(bounded.attempts[1].name, "interior point");
+}
+
+TEST(Attempts, begin_with_a_projection_where_the_mesh_is_off_its_reference)
+{
+  Surface_mesh longer; // than the mesh
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(1.1, 0, 0), Point(1.1, 1, 0), Point(0, 1, 0), Point(0, 1, 1),
+                        Point(0, 0, 1), Point(1.1, 0, 1), Point(1.1, 1, 1), longer);
+  CGAL::Polygon_mesh_processing::triangulate_faces(longer);
+  Indexed_mesh mesh = block(3);
+  const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, longer);
+  ASSERT_FALSE(status.attempts.empty());
+  EXPECT_EQ(status.attempts[0].name, "projection");
+}
+
+TEST(Attempts, are_those_of_the_method)
+{
+  const Status rectified = optimized(scrambled(block(4)), params::optimization_method(Method::RECTIFICATION));
+  EXPECT_EQ(names(rectified), std::vector<std::string>{"rectification"});
+  const Status maximized = optimized(scrambled(block(4)), params::optimization_method(Method::MAXIMIZATION));
+  EXPECT_EQ(names(maximized), (std::vector<std::string>{"untangling", "maximin"}));
+}
+
+TEST(Attempts, are_few_where_the_target_is_soon_reached)
+{
+  const Status status = optimized(block(4), params::target_quality(.5));
+  for (const HMO::Attempt& attempt : status.attempts)
+    EXPECT_EQ(attempt.iterations, 0u) << attempt.name;
 }
 
 } // namespace

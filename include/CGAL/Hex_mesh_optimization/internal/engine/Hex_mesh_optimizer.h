@@ -404,12 +404,12 @@ private:
   {
     const Timer timer(control_, report_.status.maximization_seconds);
     Reached reached = best;
+    Sliding held = sliding(reached.points);
+    Maximization_problem problem = maximization_problem(held);
+    Interior_point_maximization maximization(problem, parameters_.interior_point);
     const auto improve = [&](double tightness) {
-      Sliding held = sliding(reached.points);
-      Maximization_problem problem = maximization_problem(held);
       problem.boundary.tightness = tightness;
-      reached.end = Interior_point_maximization(problem, parameters_.interior_point)
-                      .run(reached.points, control_, parameters_.target_quality);
+      reached.end = maximization.run(reached.points, control_, parameters_.target_quality);
     };
     improve(model_.reference_is_given ? 1 / parameters_.boundary.trust : 1);
     if (model_.reference_is_given && excess(reached.points) > 0 && !control_.check_time())
@@ -629,7 +629,9 @@ private:
     const Timer timer(control_, report_.status.maximization_seconds);
     Sliding held = sliding(points);
     Maximization_problem problem = maximization_problem(held);
-    return Quality_maximization(problem).run(points, control_, parameters_.target_quality);
+    using Projection = Quality_maximization::Projection;
+    return Quality_maximization(problem, model_.reference_is_given ? Projection::LAST : Projection::FIRST)
+      .run(points, control_, parameters_.target_quality);
   }
 
   Maximization_problem maximization_problem(Sliding& held)

@@ -38,6 +38,7 @@ public:
   Interior_point_maximization(Maximization_problem& problem, const Interior_point_parameters& parameters)
     : problem_(problem)
     , parameters_(parameters)
+    , barrier_(parameters.first_weight)
   {}
 
   // Improves points until the average does not rise any more, for the most iterations, or until control ends the run. Does
@@ -50,13 +51,15 @@ public:
     problem_.samples.restore_walls();
     problem_.samples.update(points, 1);
     problem_.adapt_lengths(points);
-    set_energy(quality.average);
+    const double shape = parameters_.shape * problem_.balanced_shape(quality.average);
     const Maximization_parameters& p = problem_.parameters; // it ends as the second phase of the other method does
     Progress progress(quality, p.least_gain_of_minimum, p.least_change_of_average);
     std::size_t i = 0;
-    for (; i < p.longest_settling_iterations && !control.is_stopped() &&
+    for (; i < parameters_.iterations && !control.is_stopped() &&
            progress.iterations_without_change_of_average() < p.patience;
          ++i) {
+      set_energy(shape);
+      barrier_ = (std::max)(parameters_.weight, parameters_.decrease * barrier_);
       problem_.floor.stand_at(quality.minimum - parameters_.gap + parameters_.width);
       problem_.samples.update(points, 1);
       const double energy = step(quality, points);
@@ -66,18 +69,17 @@ public:
       if (quality.minimum >= target_quality)
         break;
     }
-    return control.stage_end(i == p.longest_settling_iterations);
+    return control.stage_end(i == parameters_.iterations);
   }
 
 private:
-  void set_energy(double average)
+  void set_energy(double shape)
   {
     Hexahedron_energy_parameters energy = problem_.parameters.energy;
-    const double shape = parameters_.shape * problem_.balanced_shape(average);
     energy.shape_weight *= shape;
     energy.poor_shape_weight *= shape;
     energy.certain_shape_weight *= parameters_.certain_shape;
-    energy.floor_weight = parameters_.weight;
+    energy.floor_weight = barrier_;
     energy.interior_width = parameters_.width;
     problem_.set_energy(energy);
   }
@@ -105,6 +107,7 @@ private:
 
   Maximization_problem& problem_;
   const Interior_point_parameters parameters_;
+  double barrier_; // the weight that has been reached, in a run before too
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

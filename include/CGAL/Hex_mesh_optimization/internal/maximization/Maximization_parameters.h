@@ -28,11 +28,15 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // Chosen with the meshes that benchmark/Hex_mesh_optimization/valid_meshes.py names and prints the table of.
 struct Interior_point_parameters
 {
-  // The barrier of a corner: its weight, its width, and how far below the minimum of now it is infinite. With a larger gap
-  // corners are stopped at the minimum before the barrier holds them, and steps are held back.
+  // The barrier of a corner: its weight, which decreases by the factor in each iteration, to the last; its width, and how
+  // far below the minimum of now it is infinite. A weak barrier from the start lets many corners come to the minimum at
+  // once, where steps are held back; with a larger gap corners are stopped there before the barrier holds them.
+  double first_weight = 10;
+  double decrease = .7;
   double weight = .1;
   double width = .05;
   double gap = 3e-4;
+  std::size_t iterations = 40; // at most
   // Factors of the weights of the shape, and of the shape for lengths that are certain.
   double shape = .45;
   double certain_shape = .65;
@@ -87,15 +91,13 @@ struct Maximization_parameters
   double ready = .88;
   std::size_t waiting_patience = 5;
   // It ends when a fully tight state was met whose worst corner was close to what is held and the minimum has not
-  // gained or the average not changed so much in so many iterations, or after so many; without such a state it goes on
-  // longer.
+  // gained or the average not changed so much in so many iterations, or after so many.
   double held_closely = .97;
   double least_gain_of_minimum = 2e-3;
   double least_change_of_average = 1.5e-4;
   std::size_t patience = 5;
   std::size_t settling_iterations = 16;
   std::size_t least_settling_iterations = 3;
-  std::size_t longest_settling_iterations = 40;
   // A later state with a minimum lower than that of an earlier one, but by no more than this, counts as better; and so do
   // all later states after the first few tight ones, which can have the highest minimum while they are far from settled
   // (measured on a CAD part that is brought to its surface: without that its average deviation is 1.86e-4 of the diagonal

@@ -46,9 +46,16 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Quality_maximization
 {
 public:
+  // When what is to stand exactly somewhere comes to its place; then all goes on around it.
+  enum class Projection {
+    FIRST, // it came from there, and has not far to go
+    LAST   // once all else has brought it near
+  };
+
   // problem must outlive the object.
-  explicit Quality_maximization(Maximization_problem& problem)
+  Quality_maximization(Maximization_problem& problem, Projection projection)
     : problem_(problem)
+    , projection_(projection)
     , parameters_(problem.parameters)
     , samples_(problem.samples)
     , sliding_(problem.sliding)
@@ -74,10 +81,11 @@ public:
       return Stage_end::CONVERGED;
     Best_state best(points, quality, 1, parameters_.accepted_loss, excess_, 1, sliding_.away(points), Protection::NONE);
     sliding_.let_go(); // what stands exactly on curves and faces may leave them for a time
-    // what is to stand exactly somewhere comes last, when it has not far to go; then all goes on around it
     is_to_arrive_ = sliding_.holds_more_than_corners();
     time_is_over_ = [&control] { return control.time_is_over(); };
     start_maximin(0, quality);
+    if (is_to_arrive_ && projection_ == Projection::FIRST && arrivals_.call(points, quality.minimum, time_is_over_))
+      phase_ = Phase::PROJECTION;
     for (std::size_t i = 0; !control.is_stopped(); ++i) {
       start_iteration(i, quality, points);
       const double energy = iterate(quality, points);
@@ -274,7 +282,7 @@ private:
     const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held() &&
                          settled_minimum_ >= start_minimum_;
     const bool is_settled = !is_outside() && is_held && settling_->iterations_without_change() >= parameters_.patience;
-    const bool is_over = ++settled_ >= settling_iterations(is_held);
+    const bool is_over = ++settled_ >= settling_iterations();
     if (!is_over && !is_settled && !is_target_reached(quality))
       return true;
     if (refines_at_last(best, quality, points) || raises_once(i, best, quality, points))
@@ -336,11 +344,11 @@ private:
     return has_come ? 0 : (std::numeric_limits<double>::min)();
   }
 
-  std::size_t settling_iterations(bool is_held) const
+  std::size_t settling_iterations() const
   {
     if (is_outside() || settled_minimum_ < start_minimum_) // it would come to nothing
       return parameters_.most_bounded_iterations;
-    return is_held ? parameters_.settling_iterations : parameters_.longest_settling_iterations;
+    return parameters_.settling_iterations;
   }
 
   // Adds samples where points are beyond the bound between those that there are, and judges the best state by them too.
@@ -402,6 +410,7 @@ private:
   }
 
   Maximization_problem& problem_;
+  const Projection projection_;
   const Maximization_parameters& parameters_;
   Boundary_samples& samples_;
   Sliding& sliding_;
