@@ -45,7 +45,7 @@ public:
     , attachment_(attachment)
     , kind_(points.size(), Kind::FREE)
     , is_there_(points.size(), false)
-    , hints_(points.size(), Surface_point::no_hint)
+    , last_triangles_(points.size(), none)
     , tied_(ties.groups())
     , goes_with_(points.size())
   {
@@ -190,8 +190,7 @@ public:
             result[v] = Freedom::along_line(curve(v).closest_point(points[v]).tangent);
             break;
           case Kind::SURFACE:
-            result[v] = Freedom::along_plane(
-              surface_.foot_point(points[v], hints_[v], attachment_.sheet[v]).normal);
+            result[v] = Freedom::along_plane(smooth_normal(foot(v, points[v])));
             break;
           default:
             break;
@@ -269,6 +268,7 @@ private:
   };
 
   static constexpr std::size_t searches_of_range = 64; // a search takes some microseconds
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
   static constexpr double arrival = 1e-11;             // mean boundary edges: what rounding leaves
 
   // Of those that are tied, the one with the least freedom comes first and alone has a place; the others go with it.
@@ -332,12 +332,18 @@ private:
 
   Vector_3 place_on_surface(std::size_t v, const Vector_3& p) const { return foot(v, p).point; }
 
+  // Searched for around the last one, where that is near.
   Surface_point foot(std::size_t v, const Vector_3& p) const
   {
-    const Surface_point q = surface_.closest_point(p, hints_[v], attachment_.sheet[v]);
-    hints_[v] = q.hint;
+    std::size_t& last = last_triangles_[v];
+    const bool is_near = last != none && surface_.is_near(p, surface_.closest_point_of(last, p));
+    const Surface_point q = is_near ? surface_.closest_point_near(p, last)
+                                    : surface_.closest_point(p, Surface_point::no_hint, attachment_.sheet[v]);
+    last = q.triangle;
     return q;
   }
+
+  Vector_3 smooth_normal(const Surface_point& q) const { return surface_.normal(q.triangle, q.coordinates); }
 
   const Reference_surface& surface_;
   const Boundary_attachment& attachment_;
@@ -346,7 +352,7 @@ private:
   std::vector<Release> released_; // those that were to
   std::vector<char> is_there_;    // of each vertex
   bool are_all_called_ = false;
-  mutable std::vector<std::size_t> hints_; // for searches; whatever they are, the results are the same
+  mutable std::vector<std::size_t> last_triangles_; // of the feet of vertices, or none
   std::vector<std::vector<int>> tied_;     // vertices that move together
   std::vector<int> goes_with_;             // each vertex, itself or the first of those that it is tied to
 };

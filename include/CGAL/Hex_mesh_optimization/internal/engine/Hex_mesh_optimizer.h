@@ -22,6 +22,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
+#include <CGAL/Hex_mesh_optimization/internal/boundary/limit_of_held_boundary.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_samples.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
@@ -40,8 +41,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/harmonic_start.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/projected_start.h>
@@ -211,34 +210,9 @@ private:
   bool may_hold_boundary(const Positions& points)
   {
     return is_tangled(points) && !model_.reference_is_given &&
-           limit_of_held_boundary(points) >= parameters_.worth_holding_boundary &&
+           limit_of_held_boundary(mesh_.complex, points) >= parameters_.worth_holding_boundary &&
            std::any_of(model_.attachment.kind.begin(), model_.attachment.kind.end(),
                        [](Vertex_kind kind) { return kind != Vertex_kind::INTERIOR && kind != Vertex_kind::FIXED; });
-  }
-
-  // No minimum is higher while the boundary does not move: the least scaled Jacobian of its corners, and the least sine of
-  // the angles of its faces.
-  double limit_of_held_boundary(const Positions& points) const
-  {
-    double least = 1;
-    for (const Hexahedron& h : mesh_.complex.hexahedra) {
-      const auto of_corners = scaled_jacobians_of_corners(hexahedron_coordinates(points, h));
-      const auto is_held = [&](int i) { return mesh_.complex.is_on_boundary[h[i]] != 0; };
-      for (int c = 0; c < 8; ++c) {
-        if (!is_held(c))
-          continue;
-        std::vector<Vector_3> edges;
-        for (int n : corner_neighbors[c])
-          if (is_held(n))
-            edges.push_back((points[h[n]] - points[h[c]]).normalized());
-        if (edges.size() == 3)
-          least = (std::min)(least, of_corners[c]);
-        for (std::size_t i = 0; i < edges.size(); ++i)
-          for (std::size_t k = 0; k < i; ++k)
-            least = (std::min)(least, edges[i].cross(edges[k]).norm());
-      }
-    }
-    return least;
   }
 
   // Whether hexahedra are tangled, and most of the mesh tells where they should be. Interfaces cross the whole mesh
