@@ -96,7 +96,7 @@ public:
         best.offer(points, quality, excess_, looseness(quality), sliding_.away(points));
       add_to_progress(quality);
       control.after_iteration(Stage::MAXIMIZATION, i, energy, points, quality);
-      if (is_tight() && !goes_on_after(best, quality, points))
+      if (is_tight() && !goes_on_after(i, best, quality, points))
         break;
     }
     points = best.points();
@@ -280,7 +280,7 @@ private:
   }
 
   // Whether an iteration follows one with the largest weight of the boundary, from where it has led or from elsewhere.
-  bool goes_on_after(Best_state& best, Mesh_quality& quality, Positions& points)
+  bool goes_on_after(std::size_t i, Best_state& best, Mesh_quality& quality, Positions& points)
   {
     settled_minimum_ = (std::max)(settled_minimum_, quality.minimum);
     const bool is_held = best.highest_minimum() >= parameters_.held_closely * floor_.held() &&
@@ -289,7 +289,7 @@ private:
     const bool is_over = ++settled_ >= settling_iterations();
     if (!is_over && !is_settled && !is_target_reached(quality))
       return true;
-    if (refines_at_last(best, quality, points))
+    if (refines_at_last(best, quality, points) || raises_once(i, best, quality, points))
       return true;
     // what was let go may come after all, once those around it have given way
     if (is_to_arrive_ && arrivals_.call(points, quality.minimum, time_is_over_)) {
@@ -315,6 +315,26 @@ private:
     restart_settling(quality);
     least_excess_ = std::numeric_limits<double>::infinity();
     recovers_ = false;
+    return true;
+  }
+
+  // Newton's method goes on from where a search has led that gains enough, once.
+  bool raises_once(std::size_t i, Best_state& best, Mesh_quality& quality, Positions& points)
+  {
+    if (!arrivals_.have_begun() || is_target_reached(quality) || std::exchange(has_raised_, true))
+      return false;
+    points = best.points();
+    sliding_.notice(points);
+    const double minimum = Mesh_quality(problem_.complex, points).minimum;
+    raise(points);
+    quality = Mesh_quality(problem_.complex, points);
+    if (!(quality.minimum > minimum + parameters_.gain_of_raising))
+      return false;
+    samples_.update(points, 1);
+    excess_ = samples_.excess(points);
+    best.offer(points, quality, excess_, looseness(quality), sliding_.away(points));
+    floor_.restart();
+    start_maximin(i, quality);
     return true;
   }
 
@@ -409,7 +429,7 @@ private:
 
   // Of the schedule: what was done, and iterations that count
   Phase phase_ = Phase::MAXIMIN;
-  bool is_to_arrive_ = false, has_relaxed_ = false, recovers_ = false;
+  bool is_to_arrive_ = false, has_relaxed_ = false, recovers_ = false, has_raised_ = false;
   bool used_up_ = false; // the iterations of a phase
   double excess_ = 0, least_excess_ = std::numeric_limits<double>::infinity();
   std::size_t begun_ = 0, waited_ = 0, settled_ = 0; // begun: the iteration in which the phase has
