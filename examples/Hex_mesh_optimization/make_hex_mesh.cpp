@@ -234,10 +234,10 @@ void print_parts(const HMO::Meshing_status& status)
               << text(part.volume_after) << " of " << text(part.volume) << ".\n";
     const bool is_lost = part.number_of_hexahedra == 0 && part.number_of_bodies > 0;
     if (is_lost || !(std::abs(part.volume_after - part.volume) <= status.volume_tolerance(part)))
-      std::cout << "PART " << part.label << (is_lost ? " IS LOST" : " HAS NOT ITS VOLUME") << ": cells of "
+      std::cout << "Part " << part.label << (is_lost ? " is lost" : " does not have its volume") << ": cells of "
                 << text(status.spacing) << " are too large for it.\n";
     else if (!part.has_topology)
-      std::cout << "PART " << part.label << " HAS NOT ITS TOPOLOGY: cells of " << text(status.spacing)
+      std::cout << "Part " << part.label << " does not have its topology: cells of " << text(status.spacing)
                 << " close its holes, or lose pieces of it.\n";
   }
 }

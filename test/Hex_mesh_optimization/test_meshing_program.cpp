@@ -183,7 +183,7 @@ TEST_F(Meshing_program, says_which_part_is_lost)
                                         ".6 .6 .51\n.4 .6 .51\n"
                                         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
   EXPECT_EQ(run("cube.off tiny.off out.mesh --materials --spacing .5"), 1);
-  EXPECT_TRUE(contains(text("stdout"), "PART 2 IS LOST"));
+  EXPECT_TRUE(contains(text("stdout"), "Part 2 is lost"));
 }
 
 TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)
