@@ -139,15 +139,11 @@ private:
   }
 
   // Decides about the phase, and what the corners are held to in it.
-  void start_iteration(std::size_t i, Mesh_quality& quality, Positions& points)
+  void start_iteration(std::size_t i, const Mesh_quality& quality, Positions& points)
   {
     if (phase_ == Phase::PROJECTION) {
-      if (!arrivals_.go_on(points, time_is_over_)) {
-        raise(points); // what has come last has worn down those around it, to where Newton's method stops
-        sliding_.notice(points);
-        quality = Mesh_quality(problem_.complex, points);
+      if (!arrivals_.go_on(points, time_is_over_))
         start_maximin(i, quality);
-      }
       floor_.restart();
     }
     else if (phase_ == Phase::MAXIMIN) {
