@@ -177,6 +177,35 @@ TEST_P(Boundary_guarantees, a_small_bound_of_the_deviation_is_obeyed)
   }
 }
 
+// Whatever a boundary may do, it may stay: no freedom makes a mesh worse in the order of goals, nor, below what is worth its
+// deviation, its minimum.
+TEST_P(Boundary_guarantees, no_freedom_of_the_boundary_costs_what_a_fixed_one_reaches)
+{
+  const double worth = .69;
+  for (double amplitude : {.4, 1.}) { // most are valid with the former, tangled with the latter
+    Indexed_mesh input = GetParam()();
+    HMO::scramble_interior(input.points, input.hexahedra, 1, amplitude);
+    const double length = input.mean_edge_length();
+    const auto expect_as_good = [&](const auto& np) {
+      Indexed_mesh fixed = input, mesh = input;
+      const Status least = CGAL::optimize_hex_mesh(fixed.points, fixed.hexahedra, np.fixed_boundary(true));
+      const Status status = CGAL::optimize_hex_mesh(mesh.points, mesh.hexahedra, np);
+      EXPECT_LE(status.after.number_of_inverted, least.after.number_of_inverted);
+      EXPECT_LE(status.invalid_hexahedra.size(), least.invalid_hexahedra.size());
+      EXPECT_TRUE(status.is_within_deviation_bound());
+      EXPECT_TRUE(status.vertices_off_reference.empty());
+      EXPECT_GE(status.after.minimum, (std::min)(worth, least.after.minimum - .01));
+    };
+    for (double edges : {.03, 1e-3, 1e-6}) {
+      SCOPED_TRACE("amplitude " + std::to_string(amplitude) + ", bound " + std::to_string(edges));
+      expect_as_good(params::maximum_deviation(edges * length));
+    }
+    SCOPED_TRACE("amplitude " + std::to_string(amplitude));
+    expect_as_good(params::default_values());
+    expect_as_good(params::boundary_placement(Boundary_placement::ON_SURFACE));
+  }
+}
+
 // What a smaller bound allows, a larger one does too. The average may yield a little to the minimum.
 TEST_P(Boundary_guarantees, a_larger_bound_gives_no_lower_minimum)
 {
