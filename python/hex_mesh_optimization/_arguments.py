@@ -112,10 +112,10 @@ def choice(value: Any, name: str, enumeration: Type[enum.Enum]) -> str:
         raise ValueError(f"{name}: one of {enumeration.__name__} expected ({names}), not {value!r}") from None
 
 
-def labels(value: npt.ArrayLike, number_of_hexahedra: int, name: str = "labels") -> Array:
+def labels(value: npt.ArrayLike, number: int, name: str = "labels", of: str = "hexahedra") -> Array:
     array = _array(value, name, "iu", "integers")
-    if array.shape != (number_of_hexahedra,):
-        expected = f"one integer for each of the {number_of_hexahedra} hexahedra"
+    if array.shape != (number,):
+        expected = f"one integer for each of the {number} {of}"
         raise ValueError(f"{name}: {expected} expected, not {array.shape}")
     return array
 

@@ -143,6 +143,7 @@ def make(
     minimum_cells_across: int | None = None,
     features_angle_bound: float | None = None,
     edge_is_constrained_map: npt.ArrayLike | None = None,
+    face_label_map: npt.ArrayLike | None = None,
     fixed_boundary: bool | None = None,
     boundary_placement: Boundary_placement | str | None = None,
     optimization_method: Method | str | None = None,
@@ -168,6 +169,8 @@ def make(
 
     vertices, triangles: the surface; neighbors have indices in common and are oriented alike, outwards.
     cells: short for number_of_hexahedra, about how many to make.
+    face_label_map: an integer for each triangle. Parts with different ones stay apart, with interfaces between them, and
+        status.labels has an integer for each hexahedron; where parts overlap, the highest one counts.
 
     Returns points, hexahedra, and what the run reports. Raises Input_error, a ValueError, for a surface that bounds no
     volume, and Interrupted, with the best mesh so far, on Ctrl-C.
@@ -177,6 +180,8 @@ def make(
         raise TypeError("grid_spacing: given beside the number of hexahedra, which it determines")
     surface_points = arguments.points(vertices, "vertices")
     surface_triangles = arguments.indices(triangles, 3, "triangles")
+    if face_label_map is not None:
+        options["face_labels"] = arguments.labels(face_label_map, len(surface_triangles), "face_label_map", "triangles")
     number_of_threads = arguments.count(threads, "threads", 1, 1024)
 
     try:

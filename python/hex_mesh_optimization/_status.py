@@ -8,7 +8,7 @@ from __future__ import annotations
 import enum
 import html
 import json
-from dataclasses import dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields
 from typing import Any, Dict, List, Mapping, Tuple, Type, TypeVar
 
 from ._types import Integers
@@ -212,6 +212,7 @@ class Attempt:
 
 
 _S = TypeVar("_S", bound="Status")
+_M = TypeVar("_M", bound="Meshing_status")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -335,6 +336,16 @@ class Status:
         return f"<table><thead>{row(self._table[0], 'th')}</thead><tbody>{body}</tbody></table><ul>{notes}</ul>"
 
 
+@dataclass(frozen=True)
+class Part_volume:
+    """A part of a surface that stays apart: what it bounds outside of those with higher labels, and what it has got."""
+
+    label: int
+    volume: float
+    volume_after: float
+    number_of_hexahedra: int
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Meshing_status(Status):
     """The result of make(): that of the optimization, whose start is the mesh before, and that of the grid."""
@@ -346,9 +357,17 @@ class Meshing_status(Status):
     euler_characteristic: int
     volume_of_surface: float  #: what the surface as it was given bounds
     thin_faces: Integers  #: triangles with fewer cells behind them than minimum_cells_across asks for
+    labels: Integers  #: of the hexahedra, if parts stay apart; else empty
+    parts: List[Part_volume]  #: then, those
+
+    @classmethod
+    def _of(cls: Type[_M], members: Mapping[str, Any]) -> _M:
+        return super()._of({**members, "parts": [Part_volume(*p) for p in members["parts"]]})
 
     def as_dict(self) -> Dict[str, Any]:
         result = super().as_dict()
+        result["labels"] = self.labels.tolist()
+        result["parts"] = [asdict(p) for p in self.parts]
         result["spacing"] = self.spacing
         result["has_topology_of_surface"] = self.has_topology_of_surface
         for name in ("matches_surface", "number_of_bodies", "euler_characteristic", "volume_of_surface"):

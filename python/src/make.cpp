@@ -21,6 +21,18 @@ HMO::Meshing_status make_with(const Table& vertices, const Table& triangles, Poi
                                                               hexahedra, np);
 }
 
+// The engine knows their numbers.
+Labels labels_of_faces(const py::dict& options)
+{
+  std::vector<std::int64_t> labels;
+  if (options.contains("face_labels")) {
+    const Table table(options["face_labels"].cast<py::array>());
+    for (std::size_t t = 0; t < table.rows(); ++t)
+      labels.push_back(table.index(t, 0));
+  }
+  return Labels(labels);
+}
+
 } // namespace
 
 py::tuple make(const py::array& vertices, const py::array& triangles, const py::dict& options, int threads,
@@ -31,6 +43,7 @@ py::tuple make(const py::array& vertices, const py::array& triangles, const py::
   std::optional<std::set<Edge>> features;
   if (options.contains("edge_is_constrained_map"))
     features = feature_edges(Table(options["edge_is_constrained_map"].cast<py::array>()), surface_triangles);
+  const Labels parts = labels_of_faces(options);
   Points points;
   Cells hexahedra;
   HMO::Meshing_status status;
@@ -39,15 +52,22 @@ py::tuple make(const py::array& vertices, const py::array& triangles, const py::
                     .number_of_hexahedra(option(options, "number_of_hexahedra", defaults.number_of_hexahedra))
                     .grid_spacing(option(options, "grid_spacing", defaults.spacing))
                     .minimum_cells_across(option(options, "minimum_cells_across", defaults.minimum_cells_across));
+  const auto make = [&](const auto& of_mesh) {
+    status = parts.numbers.empty() ? make_with(surface_points, surface_triangles, points, hexahedra, of_mesh)
+                                   : make_with(surface_points, surface_triangles, points, hexahedra,
+                                               of_mesh.face_label_map(boost::make_function_property_map<std::size_t>(
+                                                 [&](std::size_t t) { return parts.number(t); })));
+  };
   run(watcher, threads, [&] {
-    status = features ? make_with(surface_points, surface_triangles, points, hexahedra,
-                                  np.edge_is_constrained_map(boost::make_function_property_map<Edge>(
-                                    [&](const Edge& e) { return features->count(e) > 0; })))
-                      : make_with(surface_points, surface_triangles, points, hexahedra, np);
+    if (features)
+      make(np.edge_is_constrained_map(
+        boost::make_function_property_map<Edge>([&](const Edge& e) { return features->count(e) > 0; })));
+    else
+      make(np);
   });
   py::array cells = as_array(std::move(hexahedra));
-  py::dict report = as_dict(status, points, Table(cells), Labels(), watcher);
-  add_to(report, status);
+  py::dict report = as_dict(status, points, Table(cells), parts, watcher);
+  add_to(report, status, parts);
   watcher.finish(); // an interruption must not come between the result and its caller
   return py::make_tuple(as_array(std::move(points)), cells, report, watcher.is_interrupted());
 }

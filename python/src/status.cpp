@@ -154,7 +154,7 @@ py::dict as_dict(const HMO::Status& s, const Points& points, const Table& hexahe
   return result;
 }
 
-void add_to(py::dict& dict, const HMO::Meshing_status& status)
+void add_to(py::dict& dict, const HMO::Meshing_status& status, const Labels& labels)
 {
   dict["spacing"] = status.spacing;
   dict["has_topology_of_surface"] = status.has_topology_of_surface;
@@ -163,4 +163,12 @@ void add_to(py::dict& dict, const HMO::Meshing_status& status)
   dict["euler_characteristic"] = status.euler_characteristic;
   dict["volume_of_surface"] = status.surface.volume;
   dict["thin_faces"] = as_array(status.thin_faces);
+  std::vector<std::int64_t> of_hexahedra;
+  for (int number : status.labels)
+    of_hexahedra.push_back(labels.value(number));
+  dict["labels"] = as_array(std::move(of_hexahedra));
+  py::list parts;
+  for (const HMO::Material_report& part : status.materials)
+    parts.append(py::make_tuple(labels.value(part.label), part.volume, part.volume_after, part.number_of_hexahedra));
+  dict["parts"] = parts;
 }

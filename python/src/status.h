@@ -17,6 +17,7 @@
 py::dict as_dict(const HMO::Quality_statistics& statistics);
 py::dict as_dict(const HMO::Status& status, const Points& points, const Table& hexahedra, const Labels& labels,
                  const Watcher& watcher);
-void add_to(py::dict& dict, const HMO::Meshing_status& status);
+// labels: of the parts that stay apart, if any
+void add_to(py::dict& dict, const HMO::Meshing_status& status, const Labels& labels);
 
 #endif // CGAL_HEX_MESH_OPTIMIZATION_PYTHON_STATUS_H

@@ -267,6 +267,22 @@ def test_feature_edges_are_given() -> None:
     assert hmo.make(vertices, triangles, cells=30, edge_is_constrained_map=edges)[2].valid_mesh
 
 
+def test_parts_of_a_surface_stay_apart_with_their_labels() -> None:
+    vertices, triangles = cube_surface(2)
+    both = np.vstack([vertices, vertices + [2, 0, 0]])
+    triangles_of_both = np.vstack([triangles, triangles + len(vertices)])
+    parts = np.repeat([-7, 3], len(triangles))
+    points, hexahedra, status = hmo.make(both, triangles_of_both, grid_spacing=1.0, face_label_map=parts)
+    assert status.valid_mesh and status.matches_surface
+    assert sorted(status.labels.tolist()) == [-7] * 8 + [3] * 8
+    assert [(p.label, p.number_of_hexahedra) for p in status.parts] == [(-7, 8), (3, 8)]
+    assert [region.label for region in status.regions] == [-7, 3]
+    centers = points[hexahedra].mean(axis=1)
+    assert ((centers[:, 0] > 2) == (status.labels == 3)).all()
+    with pytest.raises(ValueError, match="face_label_map: one integer for each"):
+        hmo.make(vertices, triangles, face_label_map=[1, 2])
+
+
 def test_making_obeys_its_parameters() -> None:
     surface = cube_surface(1)
     coarse = hmo.make(*surface, grid_spacing=0.5)[1]
