@@ -48,7 +48,7 @@ def test_an_example_runs(example: str, capsys: pytest.CaptureFixture[str]) -> No
 
 
 def test_the_manual_shows_every_example() -> None:
-    text = (TOP / "doc" / "Hex_mesh_optimization" / "Hex_mesh_optimization.txt").read_text(encoding="utf-8")
+    text = (TOP / "doc" / "Hex_mesh_optimization" / "Python.txt").read_text(encoding="utf-8")
     shown = re.findall(r"^\\include Hex_mesh_optimization/python/(\w+)\.py", text, re.MULTILINE)
     assert sorted(shown) == sorted(file.stem for file in EXAMPLES.glob("*.py"))
 

@@ -85,8 +85,8 @@ def test_every_named_parameter_of_cpp_is_there() -> None:
     header = Path(__file__).resolve().parents[2] / "include" / "CGAL" / "optimize_hex_mesh.h"
     named = set(re.findall(r"cgalParamNBegin\{(\w+)\}", header.read_text(encoding="utf-8")))
     own = set(inspect.signature(hmo.optimize).parameters)
-    # of property maps of the caller's types, which arrays are not; progress is the visitor
-    assert named - own == {"vertex_point_map", "visitor"}
+    # of property maps of the caller's types, which arrays are not; progress is the visitor, internal_faces are facets
+    assert named - own == {"vertex_point_map", "visitor", "facet_is_constrained_map"}
     making = header.with_name("make_hex_mesh.h")
     of_making = set(re.findall(r"cgalParamNBegin\{(\w+)\}", making.read_text(encoding="utf-8")))
     assert of_making <= set(inspect.signature(hmo.make).parameters)

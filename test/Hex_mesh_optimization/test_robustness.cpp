@@ -57,8 +57,9 @@ INSTANTIATE_TEST_SUITE_P(Families, Robustness,
 
 TEST_P(Robustness, the_quality_of_the_intact_mesh_is_recovered)
 {
-  // the intact mesh is not rectified, and what is scrambled or turned does not find back to every one of its lengths
-  const double lost_minimum = .1, lost_average = .045;
+  // what is scrambled or turned does not find back to every one of its lengths, and stays within its boundary where it is
+  // good enough there
+  const double lost_minimum = .12, lost_average = .045;
   const Corruption corruption = std::get<1>(GetParam());
   Indexed_mesh intact = std::get<0>(GetParam())();
   Surface_mesh surface;
