@@ -146,10 +146,10 @@ private:
       {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
        [this](const Reached& best) { return untangled(best, First::FIRST); }, if_better},
       {"rectification", is_inverted, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
-      {"interior point within the boundary", [this](const Reached& best) { return may_step_within_boundary(best); },
+      {"interior point within the boundary", [this](const Reached& best) { return may_step_within_boundary(best.points); },
        [this](const Reached& best) { return improved_within_boundary(best); },
        [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
-      {"interior point", [this](const Reached& best) { return may_step_feasibly(best); },
+      {"interior point", [this](const Reached& best) { return may_step_feasibly(best.points); },
        [this](const Reached& best) { return improved_within(best); },
        [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
       maximin,
@@ -227,21 +227,20 @@ private:
 
   bool is_feasible(const Positions& points) { return standing_of(points).is_good(); }
 
-  // Whether the mesh came in valid, or has become good within its boundary. One that has to be brought to a reference has to
-  // give way for that, unless its minimum is limited anyway.
-  bool may_step_feasibly(const Reached& best) const
+  // Whether the mesh came in valid; one that has to be brought to a reference has to give way for that, unless its minimum is
+  // limited anyway.
+  bool may_step_feasibly(const Positions& points) const
   {
-    const Mesh_quality quality(mesh_.complex, best.points);
-    const bool is_good = best.is_maximized && quality.minimum >= worth_raising_to();
-    return quality.invalid == 0 && (report_.status.before.number_of_invalid == 0 || is_good) &&
+    const Mesh_quality quality(mesh_.complex, points);
+    return report_.status.before.number_of_invalid == 0 && quality.invalid == 0 &&
            (!model_.reference_is_given || is_limited(quality));
   }
 
   // Whether that is to begin with the interior: within a close bound, and where vertices stay on their surface, what moves
   // on the boundary is often held back, and hexahedra beside it are with it.
-  bool may_step_within_boundary(const Reached& best) const
+  bool may_step_within_boundary(const Positions& points) const
   {
-    return may_step_feasibly(best) && !best.is_maximized && !model_.reference_is_given && (has_bound() || is_exact());
+    return may_step_feasibly(points) && !model_.reference_is_given && (has_bound() || is_exact());
   }
 
   // Whether the mesh misses what a fixed boundary may reach.
