@@ -46,10 +46,11 @@ namespace CGAL::Hex_mesh_optimization::internal {
 class Quality_maximization
 {
 public:
-  // When what is to stand exactly somewhere comes to its place; then all goes on around it.
+  // When vertices with exact placement are projected onto their curves and patches; the other phases follow, with these
+  // vertices on them.
   enum class Projection {
-    FIRST, // it came from there, and has not far to go
-    LAST   // once all else has brought it near
+    FIRST, // the boundary came from there: they are near
+    LAST   // after the other phases have brought them near
   };
 
   // problem must outlive the object.
