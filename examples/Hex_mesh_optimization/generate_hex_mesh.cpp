@@ -9,6 +9,8 @@
 #include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
 #include <CGAL/Hex_mesh_optimization/hex_mesh_subdivision.h>
 
+#include <CGAL/number_utils.h>
+
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
@@ -47,9 +49,8 @@ int main(int argc, char** argv)
      }},
     {"ring", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_ring(p, h, 9 * n, n); }},
     {"t_shape", [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_t_shape(p, h, n); }},
-    {"twisted_bar", [](Points& p, Hexahedra& h, std::size_t n) {
-       HMO::make_bent_bar(p, h, 6 * n, n, 6, 1, HMO::internal::pi / 2, HMO::internal::pi);
-     }}};
+    {"twisted_bar",
+     [](Points& p, Hexahedra& h, std::size_t n) { HMO::make_bent_bar(p, h, 6 * n, n, 6, 1, CGAL_PI / 2, CGAL_PI); }}};
   std::vector<std::string> family_names;
   for (const auto& family : families)
     family_names.push_back(family.first);

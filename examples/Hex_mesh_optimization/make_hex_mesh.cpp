@@ -37,12 +37,10 @@ const char* const exit_codes =
 
 struct Options : Common_options
 {
-  const HMO::internal::Meshing_parameters of_meshing;
-
   std::vector<std::string> surfaces;
-  std::size_t cells = of_meshing.number_of_hexahedra;
-  double spacing = of_meshing.spacing;
-  std::size_t minimum_cells_across = of_meshing.minimum_cells_across;
+  std::size_t cells = 8000;
+  double spacing = 0; // that of so many cells
+  std::size_t minimum_cells_across = 1;
   bool repair = false, materials = false;
 };
 
@@ -148,8 +146,7 @@ void write_page(const Options& o, const Input& input, const Mesh& mesh, const HM
   const Soup& surface = input.surface;
   const Mesh before = start(input, o);
   Report_page page;
-  HMO::internal::Reference_input reference = HMO::internal::triangles_to_reference(surface.points, surface.triangles);
-  page.set_reference(std::move(reference.points), std::move(reference.triangles));
+  page.set_reference(surface.points, surface.triangles);
   page.add_mesh("before", "Start: voxels and layers", before.points, before.hexahedra);
   page.add_mesh("after", "Result", mesh.points, mesh.hexahedra);
   page.add_reference("Surface");
@@ -324,7 +321,7 @@ void read(const std::string& filename, Input& input, bool is_alone)
   if (is_alone) {
     parts = solids_of_stl(filename);
     if (parts.size() != soup.triangles.size() || parts.back() == 1)
-      parts = HMO::internal::closed_parts(HMO::internal::triangles_to_reference(soup.points, soup.triangles));
+      parts = closed_parts(soup);
   }
   input.surface.points.insert(input.surface.points.end(), soup.points.begin(), soup.points.end());
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {

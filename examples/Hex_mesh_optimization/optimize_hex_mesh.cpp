@@ -56,12 +56,12 @@ struct Options : Common_options
   bool info = false;
   std::vector<std::tuple<std::int64_t, std::int64_t, std::string>> interfaces; // labels, the file of a surface
   bool merge = false;
-  bool fixed_boundary = defaults.fixed_boundary;
+  bool fixed_boundary = false;
   bool free_boundary = false;
   std::string method = "full";
   std::string edge_lengths = "estimated";
-  std::size_t iterations = defaults.rectification.iterations;
-  std::size_t restarts = defaults.rectification.restarts;
+  std::size_t iterations = 20;
+  std::size_t restarts = 2;
 };
 
 void add_options_of_solver_files(CLI::App& app, Options& o)

@@ -8,7 +8,7 @@
 // page.
 
 #include "files.h"
-#include "report/Report_page.h"
+#include "Report_page.h"
 #include "status_report.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
@@ -16,6 +16,8 @@
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/Visitor.h>
 #include <CGAL/optimize_hex_mesh.h>
+
+#include <CGAL/boost/graph/iterator.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,6 +39,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -50,18 +53,16 @@
 
 enum Exit_code { SUCCESS = 0, REQUIREMENT_NOT_MET = 1, USAGE_ERROR = 2, FILE_ERROR = 3 };
 
-// Of the optimization, which all programs have.
+// Of the optimization, which all programs have; with the default values of the named parameters.
 struct Common_options
 {
-  const HMO::internal::Chosen_parameters defaults;
-
   std::string command; // all of the command line
   std::string output, json, report;
-  double features_angle = defaults.features.angle_bound;
-  bool on_surface = defaults.boundary_placement == HMO::Boundary_placement::ON_SURFACE;
-  double target_quality = defaults.target_quality;
-  double maximum_deviation = defaults.maximum_deviation;
-  double time_limit = defaults.maximum_running_time;
+  double features_angle = 45;
+  bool on_surface = false;
+  double target_quality = std::numeric_limits<double>::infinity();
+  double maximum_deviation = std::numeric_limits<double>::infinity();
+  double time_limit = std::numeric_limits<double>::infinity();
   int threads = 1;
   bool quiet = false;
 };
@@ -203,23 +204,6 @@ struct Mesh
   }
 };
 
-// Throws now what would be thrown after all the work.
-inline void check_writable(const std::string& filename)
-{
-  std::error_code ignored;
-  const auto status = std::filesystem::status(filename, ignored);
-  if (std::filesystem::is_other(status)) // to open a pipe is to use it
-    return;
-  CGAL::Hex_mesh_optimization::internal::IO::Atomic_file unused(filename);
-}
-
-inline void check_output(const std::string& filename)
-{
-  if (!CGAL::Hex_mesh_optimization::internal::IO::is_output_format(filename))
-    CGAL::Hex_mesh_optimization::internal::IO::refuse_extension(filename);
-  check_writable(filename);
-}
-
 inline void check_reports(const Common_options& o)
 {
   for (const std::string& report : {o.json, o.report})
@@ -308,9 +292,7 @@ inline Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labe
 
 inline void write_json(const std::string& filename, const Json& report)
 {
-  CGAL::Hex_mesh_optimization::internal::IO::Atomic_file file(filename);
-  file.text() = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names may be in any encoding
-  file.commit();
+  write_text(filename, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); // names in any encoding
 }
 
 // report: as for write_json()
@@ -322,12 +304,22 @@ inline void write_page(Report_page& page, const Common_options& o, const HMO::St
 }
 
 // The surface from which the page measures deviations.
-template <class Triangle_mesh>
-void set_reference(Report_page& page, const Triangle_mesh& surface)
+inline void set_reference(Report_page& page, const Surface& surface)
 {
-  HMO::internal::Reference_input reference =
-    HMO::internal::triangle_mesh_to_reference(surface, CGAL::parameters::default_values());
-  page.set_reference(std::move(reference.points), std::move(reference.triangles));
+  Soup soup;
+  std::vector<std::size_t> number(surface.num_vertices());
+  for (const auto v : surface.vertices()) {
+    number[v] = soup.points.size();
+    const auto& p = surface.point(v);
+    soup.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto f : surface.faces()) {
+    soup.triangles.emplace_back();
+    std::size_t corner = 0;
+    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      soup.triangles.back()[corner++] = number[v];
+  }
+  page.set_reference(soup.points, soup.triangles);
 }
 
 // What run() returns, or the exit code of what it throws or the command line deserves.

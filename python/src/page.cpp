@@ -9,6 +9,8 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
 
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -49,8 +51,15 @@ void write_page(const std::string& filename, const std::string& title, const std
 
   const py::gil_scoped_release unlocked;
   Report_page page;
-  if (has_reference)
-    page.set_reference(std::move(surface.points), std::move(surface.triangles));
+  if (has_reference) {
+    Report_page::Points points;
+    for (const HMO::internal::Vector_3& p : surface.points)
+      points.emplace_back(p[0], p[1], p[2]);
+    std::vector<std::array<std::size_t, 3>> triangles;
+    for (const auto& t : surface.triangles)
+      triangles.push_back({{std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2])}});
+    page.set_reference(points, triangles);
+  }
   for (const Shown_mesh& mesh : meshes)
     page.add_mesh(mesh.role, mesh.name, mesh.points, mesh.hexahedra);
   page.add_reference(has_reference ? "Reference" : "Boundary before");

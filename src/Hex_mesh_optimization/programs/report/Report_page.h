@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_REPORT_PAGE_H
 #define CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_REPORT_PAGE_H
@@ -39,8 +45,7 @@ public:
   explicit Report_page(std::string page = embedded_report_page()) : page_(std::move(page)) {}
 
   // The surface from which the deviations are measured. Without one, it is the outer boundary of the first mesh.
-  void set_reference(CGAL::Hex_mesh_optimization::internal::Positions points,
-                     std::vector<CGAL::Hex_mesh_optimization::internal::Triangle_indices> triangles);
+  void set_reference(const Points& points, const std::vector<std::array<std::size_t, 3>>& triangles);
 
   // role: "before", "after" or "compared", where the page finds the statistics. name: of the column, for people.
   void add_mesh(const std::string& role, const std::string& name, const Points& points, const Hexahedra& hexahedra);

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_FILES_H
 #define CGAL_HEX_MESH_OPTIMIZATION_EXAMPLES_FILES_H
@@ -41,6 +47,9 @@ void read(const std::string& filename, Soup& soup);
 // Of each facet of an .stl file in text, the number of its solid, from 1; none of files of other kinds.
 std::vector<int> solids_of_stl(const std::string& filename);
 
+// Of each triangle, which closed part of the surface it belongs to.
+std::vector<int> closed_parts(const Soup& soup);
+
 // The file of a solver, which can be copied with other points.
 using Solver_file = std::shared_ptr<const CGAL::IO::Hex_mesh_file>;
 
@@ -58,9 +67,17 @@ Points copy(const CGAL::IO::Hex_mesh_file& file, const std::string& output, cons
 
 // The places of the coordinates in a file of Medit or VTK; empty where such a file is written anew, as its points are
 // compressed, or the output is of another format.
-using Places = std::shared_ptr<const CGAL::Hex_mesh_optimization::internal::IO::Coordinate_places>;
+struct File_places;
+using Places = std::shared_ptr<const File_places>;
 Places places_in(const std::string& input, const std::string& output, const Points& points);
 void copy(const Places& places, const std::string& output, const Points& before, const Points& after);
+
+// Throw now what would be thrown after all the work.
+void check_writable(const std::string& filename);
+void check_output(const std::string& filename);
+
+// The whole file, or nothing of it.
+void write_text(const std::string& filename, const std::string& text);
 
 CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file);
 

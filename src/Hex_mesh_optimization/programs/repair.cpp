@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #include "files.h"
 

@@ -1,5 +1,11 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #include "Report_page.h"
 
@@ -110,9 +116,15 @@ std::string Report_page::reason_of_absence(const std::string& page)
   return "";
 }
 
-void Report_page::set_reference(HMO::internal::Positions points, std::vector<HMO::internal::Triangle_indices> triangles)
+void Report_page::set_reference(const Points& points, const std::vector<std::array<std::size_t, 3>>& triangles)
 {
-  reference_ = std::make_unique<HMO::internal::Triangle_surface>(std::move(points), std::move(triangles));
+  HMO::internal::Positions positions;
+  for (const auto& p : points)
+    positions.emplace_back(p.x(), p.y(), p.z());
+  std::vector<HMO::internal::Triangle_indices> indices;
+  for (const auto& t : triangles)
+    indices.push_back({{static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])}});
+  reference_ = std::make_unique<HMO::internal::Triangle_surface>(std::move(positions), std::move(indices));
 }
 
 void Report_page::add_mesh(const std::string& role, const std::string& name, const Points& points,
@@ -158,7 +170,8 @@ void Report_page::add_mesh(const std::string& role, const std::string& name, con
 void Report_page::add_deviations(Json& mesh, const HMO::internal::Face_neighbors& neighbors)
 {
   if (!reference_)
-    set_reference(points_, HMO::internal::split_quads(outer_faces(neighbors)));
+    reference_ = std::make_unique<HMO::internal::Triangle_surface>(points_,
+                                                                   HMO::internal::split_quads(outer_faces(neighbors)));
   if (reference_->is_empty())
     return;
   Distances distance(*reference_);

@@ -1,12 +1,21 @@
 // Copyright (c) 2026 The Hex_mesh_optimization authors.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Hex_mesh_optimization authors
 
 #include "files.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh.h>
 #include <CGAL/Hex_mesh_optimization/IO/hex_mesh_copy.h>
+#include <CGAL/Hex_mesh_optimization/IO/internal/Atomic_file.h>
 #include <CGAL/Hex_mesh_optimization/IO/internal/Places_of_points.h>
 #include <CGAL/Hex_mesh_optimization/IO/surface.h>
+#include <CGAL/Hex_mesh_optimization/internal/interface/triangle_soup_to_reference.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/mesh_surface.h>
 
 #include <algorithm>
 #include <cctype>
@@ -15,6 +24,8 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 void read(const std::string& filename, Points& points, Hexahedra& hexahedra)
@@ -30,6 +41,12 @@ void read(const std::string& filename, Points& points, Hexahedra& hexahedra, CGA
 void read(const std::string& filename, Surface& surface) { CGAL::IO::read_surface(filename, surface); }
 
 namespace io = CGAL::Hex_mesh_optimization::internal::IO;
+
+std::vector<int> closed_parts(const Soup& soup)
+{
+  namespace internal = CGAL::Hex_mesh_optimization::internal;
+  return internal::closed_parts(internal::triangles_to_reference(soup.points, soup.triangles));
+}
 
 Solver_file read_solver_file(const std::string& filename)
 {
@@ -78,17 +95,46 @@ static std::vector<std::array<double, 3>> triples(const Points& points)
   return result;
 }
 
+struct File_places
+{
+  std::shared_ptr<const io::Coordinate_places> of_coordinates;
+};
+
 Places places_in(const std::string& input, const std::string& output, const Points& points)
 {
   std::error_code ignored;
   if (io::extension_of(input) != io::extension_of(output) || !std::filesystem::is_regular_file(input, ignored))
     return nullptr;
-  return io::Places_of_points(input, triples(points)).places();
+  auto places = io::Places_of_points(input, triples(points)).places();
+  return places ? std::make_shared<const File_places>(File_places{std::move(places)}) : nullptr;
 }
 
 void copy(const Places& places, const std::string& output, const Points& before, const Points& after)
 {
-  places->write(output, triples(before), triples(after));
+  places->of_coordinates->write(output, triples(before), triples(after));
+}
+
+void check_writable(const std::string& filename)
+{
+  std::error_code ignored;
+  const auto status = std::filesystem::status(filename, ignored);
+  if (std::filesystem::is_other(status)) // to open a pipe is to use it
+    return;
+  io::Atomic_file unused(filename);
+}
+
+void check_output(const std::string& filename)
+{
+  if (!io::is_output_format(filename))
+    io::refuse_extension(filename);
+  check_writable(filename);
+}
+
+void write_text(const std::string& filename, const std::string& text)
+{
+  io::Atomic_file file(filename);
+  file.text() = text;
+  file.commit();
 }
 
 CGAL::IO::Hex_mesh_data mesh_data_of(const CGAL::IO::Hex_mesh_file& file) { return io::mesh_data_of(file); }
