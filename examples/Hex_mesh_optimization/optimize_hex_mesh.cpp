@@ -4,6 +4,7 @@
 // The command-line program: reads a hexahedral mesh, optimizes it, writes it,
 // and tells what became of it.
 
+#include "parts.h"
 #include "program.h"
 
 #include <CGAL/Hex_mesh_optimization/IO/unsupported_data.h>
@@ -62,6 +63,7 @@ struct Options : Common_options
   std::string edge_lengths = "estimated";
   std::size_t iterations = 20;
   std::size_t restarts = 2;
+  Options_of_parts parts;
 };
 
 void add_options_of_solver_files(CLI::App& app, Options& o)
@@ -130,6 +132,11 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")
     ->check(count)
     ->capture_default_str();
+  add_options_of_parts(app, o.parts);
+  for (const char* other :
+       {"--info", "--reference", "--merge", "--interface", "--fixed-set", "--internal-faces", "--fixed-vertices"})
+    for (const char* division : {"--parts", "--memory"})
+      app.get_option(division)->excludes(app.get_option(other));
   add_common_options(app, o);
   app
     .add_option("--compare", o.compared,
@@ -293,6 +300,18 @@ Periodic_vertices periodic_vertices(const Mesh& mesh, const Freedom& freedom)
   return result;
 }
 
+HMO::Method method(const Options& o)
+{
+  return o.method == "full"            ? HMO::Method::FULL
+         : o.method == "rectification" ? HMO::Method::RECTIFICATION
+                                       : HMO::Method::MAXIMIZATION;
+}
+
+HMO::Target_edge_lengths target_edge_lengths(const Options& o)
+{
+  return o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT : HMO::Target_edge_lengths::ESTIMATED;
+}
+
 HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Freedom& freedom, double time_limit,
                      Watcher& watcher)
 {
@@ -310,11 +329,8 @@ HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Fre
                                                  : HMO::Boundary_placement::WITHIN_TOLERANCE)
                     .maximum_running_time(time_limit)
                     .vertex_is_constrained_map(CGAL::make_boolean_property_map(fixed))
-                    .optimization_method(o.method == "full"            ? HMO::Method::FULL
-                                         : o.method == "rectification" ? HMO::Method::RECTIFICATION
-                                                                       : HMO::Method::MAXIMIZATION)
-                    .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
-                                                                   : HMO::Target_edge_lengths::ESTIMATED)
+                    .optimization_method(method(o))
+                    .target_edge_lengths(target_edge_lengths(o))
                     .number_of_iterations(o.iterations)
                     .number_of_restarts(o.restarts);
   try {
@@ -416,7 +432,10 @@ Json json(const Options& o)
                               {"method", o.method},
                               {"edge_lengths", o.edge_lengths},
                               {"iterations", o.iterations},
-                              {"restarts", o.restarts}},
+                              {"restarts", o.restarts},
+                              {"parts", o.parts.division.number_of_parts},
+                              {"memory", o.parts.division.maximum_memory},
+                              {"layers", o.parts.division.layers}},
                              o);
 }
 
@@ -624,8 +643,38 @@ std::vector<std::string> announced_losses(const Mesh& mesh, const Options& o)
   return lost;
 }
 
+// --parts, --memory
+Exit_code run_in_parts(const Options& o)
+{
+  if (!o.report.empty())
+    throw HMO::Input_error(HMO::Input_error::Element::PARAMETER, 0, "there is no page of a mesh in parts");
+  check_reports(o);
+  check_writable(o.output);
+  HMO::Mesh_division division = o.parts.division;
+  division.label_array = o.label_array;
+  HMO::Status status;
+  std::vector<HMO::Iteration> iterations;
+  {
+    Watcher watcher(o.quiet);
+    const auto np = common_parameters(o, watcher)
+                      .fixed_boundary(o.fixed_boundary)
+                      .optimization_method(method(o))
+                      .target_edge_lengths(target_edge_lengths(o))
+                      .number_of_iterations(o.iterations)
+                      .number_of_restarts(o.restarts);
+    status = in_threads(o.threads, [&] {
+      return CGAL::optimize_hex_mesh_file<CGAL::Parallel_if_available_tag>(o.input, o.output, division, np);
+    });
+    iterations = watcher.iterations();
+  }
+  const Json options = json(o);
+  return report_parts(o, status, o.output, with_iterations({{"options", options}}, iterations));
+}
+
 Exit_code run(const Options& options)
 {
+  if (options.parts.is_divided())
+    return run_in_parts(options);
   if (!options.info) {
     check_reports(options);
     if (!is_copy(options.input, options.output))

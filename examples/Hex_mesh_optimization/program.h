@@ -242,7 +242,9 @@ inline void print(const Report_row& row)
             << row.after << '\n';
 }
 
-inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labels& labels = Labels())
+// described: the mesh, or what else knows the centers of hexahedra
+template <class Described>
+void print_report(const HMO::Status& status, const Described& mesh, const Labels& labels = Labels())
 {
   for (const Report_row& row : table(status, labels))
     print(row);
@@ -284,10 +286,16 @@ inline void print_report(const HMO::Status& status, const Mesh& mesh, const Labe
               << " of them have an inverted corner whose vertices are all fixed.\n";
 }
 
-inline Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labels = Labels())
+template <class Described>
+Json json_of(const HMO::Status& status, const Described& mesh, const Labels& labels = Labels())
 {
   return json(
     status, [&mesh](std::size_t h) { return mesh.center(h); }, labels);
+}
+
+inline Json json(const HMO::Status& status, const Mesh& mesh, const Labels& labels = Labels())
+{
+  return json_of(status, mesh, labels);
 }
 
 inline void write_json(const std::string& filename, const Json& report)

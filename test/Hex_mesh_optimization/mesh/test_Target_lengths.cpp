@@ -57,7 +57,8 @@ TEST(Target_lengths, follow_layers_where_they_are_sound)
     is_sound[h] = false;
   points[moved] += Vector_3(1.5, -1, 1.2);
 
-  const Target_lengths found = lengths_along_sound_sheets(mesh.complex, relations, points, is_sound);
+  const Target_lengths found = lengths_along_sound_sheets(mesh.complex, relations, points, is_sound,
+                                                          mean_boundary_edge_length(mesh.complex, points));
   const std::vector<double> estimated = estimate_edge_lengths(mesh.complex, relations, points);
   double largest_error = 0;
   for (std::size_t e = 0; e < known.size(); ++e) {
@@ -79,7 +80,8 @@ TEST(Target_lengths, are_estimated_where_nothing_is_sound)
 {
   const Layers mesh;
   const std::vector<char> is_sound(mesh.complex.hexahedra.size(), false);
-  const Target_lengths found = lengths_along_sound_sheets(mesh.complex, mesh.relations, mesh.points, is_sound);
+  const Target_lengths found = lengths_along_sound_sheets(mesh.complex, mesh.relations, mesh.points, is_sound,
+                                                          mean_boundary_edge_length(mesh.complex, mesh.points));
   EXPECT_EQ(found.lengths, estimate_edge_lengths(mesh.complex, mesh.relations, mesh.points));
   EXPECT_EQ(found.certainty, std::vector<double>(mesh.complex.edges.size(), 0.0));
 }
@@ -88,14 +90,16 @@ TEST(Target_lengths, of_a_valid_mesh_are_its_own_and_certain_for_layers)
 {
   const Layers mesh;
   const std::vector<double> known = edge_lengths(mesh.complex, mesh.points);
-  const Target_lengths found = own_edge_lengths(mesh.complex, mesh.relations, mesh.points);
+  const Target_lengths found = own_edge_lengths(mesh.complex, mesh.relations, mesh.points,
+                                                mean_boundary_edge_length(mesh.complex, mesh.points));
   for (std::size_t e = 0; e < known.size(); ++e) {
     EXPECT_NEAR(found.lengths[e], known[e], 1e-4) << e;
     if (known[e] < .3) {
       EXPECT_EQ(found.certainty[e], 1) << e;
     }
   }
-  const Target_lengths of_cubes = own_edge_lengths(mesh.complex, mesh.relations, mesh.cubes.points);
+  const Target_lengths of_cubes = own_edge_lengths(mesh.complex, mesh.relations, mesh.cubes.points,
+                                                   mean_boundary_edge_length(mesh.complex, mesh.cubes.points));
   EXPECT_EQ(of_cubes.certainty, std::vector<double>(known.size(), 0.0));
 }
 

@@ -86,6 +86,27 @@ inline std::vector<std::array<bool, 4>> rims_of_interfaces(const Hexahedral_comp
   return rims;
 }
 
+// The sides of the quads where a part ends, and the surface of the larger mesh goes on.
+inline std::vector<std::array<bool, 4>> rims_of_part(const Hexahedral_complex& complex, const Surface_faces& faces)
+{
+  std::vector<std::array<int, 4>> sides; // edge, sheet, face, corner
+  for (std::size_t f = 0; f < faces.quads.size(); ++f)
+    for (int k = 0; k < 4; ++k) {
+      const int edge = complex.find_edge(faces.quads[f][k], faces.quads[f][(k + 1) % 4]) / 2;
+      if (complex.is_open_edge[edge])
+        sides.push_back({edge, faces.sheet(static_cast<int>(f)), static_cast<int>(f), k});
+    }
+  std::sort(sides.begin(), sides.end());
+  const auto are_together = [&](std::size_t i, std::size_t j) {
+    return sides[i][0] == sides[j][0] && sides[i][1] == sides[j][1];
+  };
+  std::vector<std::array<bool, 4>> rims(faces.quads.size());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if ((i == 0 || !are_together(i, i - 1)) && (i + 1 == sides.size() || !are_together(i, i + 1)))
+      rims[sides[i][2]][sides[i][3]] = true;
+  return rims;
+}
+
 // outside_is_one: all faces with nothing beyond are one sheet, the first, whichever regions they bound; it may go
 // elsewhere, as may the interfaces between the moving pairs of labels.
 inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, bool outside_is_one = false,
@@ -117,6 +138,8 @@ inline Surface_faces boundary_surface_faces(const Hexahedral_complex& complex, b
                                std::find(moving.begin(), moving.end(), l) != moving.end());
     faces.rims = rims_of_interfaces(complex, faces, goes_elsewhere);
   }
+  else if (!complex.is_open_edge.empty())
+    faces.rims = rims_of_part(complex, faces);
 
   std::vector<std::array<int, 3>> sides; // edge, sheet, face, without those that follow another one in both
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges)

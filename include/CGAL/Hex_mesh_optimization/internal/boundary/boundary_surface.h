@@ -47,7 +47,8 @@ inline Edge_list sharp_boundary_edges(const Hexahedral_complex& complex, const P
   Edge_list sharp;
   for (const Hexahedral_complex::Boundary_edge& e : complex.boundary_edges) {
     if (e.right < 0) {
-      sharp.push_back(complex.edges[e.edge]);
+      if (complex.is_open_edge.empty() || !complex.is_open_edge[e.edge])
+        sharp.push_back(complex.edges[e.edge]);
       continue;
     }
     const Vector_3 left = face_area_vector(complex, points, e.left), right = face_area_vector(complex, points, e.right);
@@ -143,6 +144,17 @@ inline std::unique_ptr<Reference_surface> boundary_as_reference(const Hexahedral
   return std::make_unique<Reference_surface>(points, split_quads(faces.quads),
                                              sharp_boundary_edges(complex, points, features.angle_bound), false,
                                              features, triangle_sheets(faces), touching_vertices(complex));
+}
+
+// The same of a part of a mesh: it goes on beyond the rims. The edges of its features are known.
+inline std::unique_ptr<Reference_surface>
+boundary_of_part_as_reference(const Hexahedral_complex& complex, const Surface_faces& faces, const Positions& points,
+                              const Edge_list& edges_of_features, const Feature_parameters& features)
+{
+  return std::make_unique<Reference_surface>(points, split_quads(faces.quads), edges_of_features, true, features,
+                                             triangle_sheets(faces), touching_vertices(complex),
+                                             Rims(split_quads(faces.quads), triangle_sheets(faces), rim_sides(faces),
+                                                  Beyond_rim::PLANE));
 }
 
 inline std::unique_ptr<Reference_surface>

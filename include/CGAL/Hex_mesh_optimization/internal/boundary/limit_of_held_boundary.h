@@ -14,9 +14,10 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/limit_of_held_vertices.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
@@ -25,21 +26,15 @@ namespace CGAL::Hex_mesh_optimization::internal {
 inline double limit_of_held_boundary(const Hexahedral_complex& complex, const Positions& points)
 {
   double least = 1;
-  for (const Hexahedron& h : complex.hexahedra)
-    for (int c = 0; c < 8; ++c) {
-      if (!complex.is_on_boundary[h[c]])
-        continue;
-      Vector_3 edges[3];
-      std::size_t held = 0;
-      for (int n : corner_neighbors[c])
-        if (complex.is_on_boundary[h[n]])
-          edges[held++] = (points[h[n]] - points[h[c]]).normalized();
-      if (held == 3)
-        least = (std::min)(least, edges[0].dot(edges[1].cross(edges[2])));
-      for (std::size_t i = 0; i < held; ++i)
-        for (std::size_t k = 0; k < i; ++k)
-          least = (std::min)(least, edges[i].cross(edges[k]).norm());
+  for (const Hexahedron& h : complex.hexahedra) {
+    std::array<Vector_3, 8> places;
+    std::array<char, 8> is_held;
+    for (int i = 0; i < 8; ++i) {
+      places[i] = points[h[i]];
+      is_held[i] = complex.is_on_boundary[h[i]];
     }
+    least = (std::min)(least, limit_of_held_vertices(places, is_held));
+  }
   return least;
 }
 

@@ -53,6 +53,7 @@ public:
   const std::size_t number_of_coincident_vertices;     // that would be gone if vertices that coincide were merged
   const Memory_order order;                            // in which all that follows is
   const Positions points;
+  const Surroundings surroundings; // if this is a part of a larger mesh
   const Translations translations; // from vertices to those that move with them
   const Hexahedral_complex complex;
 
@@ -70,6 +71,7 @@ private:
     , number_of_coincident_vertices(numbering.number_of_coincident_vertices)
     , order(std::move(numbering.order))
     , points(order.ordered(given))
+    , surroundings(order.ordered(regions).surroundings)
     , translations(given.size(), order.ordered(regions).ties)
     , complex(given.size(), order.ordered(numbering.hexahedra), order.ordered(regions))
     , given_hexahedra_(std::move(numbering.hexahedra))
@@ -81,14 +83,17 @@ private:
     check(regions.faces, points.size());
     check(regions.ties, points.size());
     const Face_neighbors neighbors(hexahedra);
-    const Orientation orientation(points, hexahedra, neighbors);
     std::vector<std::size_t> reoriented_hexahedra;
     std::vector<Hexahedron> outwards = hexahedra;
-    for (std::size_t h = 0; h < hexahedra.size(); ++h)
-      if (orientation.is_turned()[h]) {
-        reoriented_hexahedra.push_back(h);
-        outwards[h] = turned(hexahedra[h]);
-      }
+    // which way is out, only all of a mesh tells
+    if (!regions.surroundings.has_any()) {
+      const Orientation orientation(points, hexahedra, neighbors);
+      for (std::size_t h = 0; h < hexahedra.size(); ++h)
+        if (orientation.is_turned()[h]) {
+          reoriented_hexahedra.push_back(h);
+          outwards[h] = turned(hexahedra[h]);
+        }
+    }
     const Hexahedral_complex complex(points.size(), outwards);
     if (complex.boundary_faces.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");

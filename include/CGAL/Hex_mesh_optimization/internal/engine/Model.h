@@ -62,6 +62,7 @@ public:
     , unit(checked_unit(mesh))
     , center(boundary_center(mesh, unit))
     , points(in_units(mesh.points))
+    , given_points(mesh.surroundings.has_any() ? in_units(mesh.surroundings.given) : points)
     , faces(boundary_surface_faces(mesh.complex,
                                    !is_labelled(reference) && (reference_is_given || has_collapsed_face_outside()),
                                    labels_of(parameters.interface_references)))
@@ -97,7 +98,8 @@ public:
   const double
     unit; // the boundary terms have units of length², so that all weights presuppose one: the mean boundary edge
   const Vector_3 center;
-  const Positions points; // of the mesh, in this unit, as is all that follows
+  const Positions points;       // of the mesh, in this unit, as is all that follows
+  const Positions given_points; // as they came in: what the boundary and target lengths are those of
   const Surface_faces faces;
   const std::unique_ptr<const Reference_surface> surface;
   const Boundary_attachment attachment;
@@ -159,7 +161,8 @@ private:
 
   static double mean_boundary_edge(const Checked_mesh& mesh)
   {
-    const double mean = mean_boundary_edge_length(mesh.complex, mesh.points);
+    const double mean = mesh.surroundings.has_any() ? mesh.surroundings.unit
+                                                    : mean_boundary_edge_length(mesh.complex, mesh.points);
     if (!(mean > 0) || !std::isfinite(mean))
       throw Input_error(Input_error::Element::MESH, 0,
                         "all vertices of the boundary lie in one point, or too far apart for their coordinates");
@@ -175,7 +178,7 @@ private:
         sum += mesh.points[v] / unit;
         ++count;
       }
-    return sum / double(count) * unit;
+    return count > 0 ? Vector_3(sum / double(count) * unit) : mesh.points.front();
   }
 
   // reference: null for the mesh as it is.
@@ -254,6 +257,8 @@ private:
 
   std::unique_ptr<const Reference_surface> own_reference(const Feature_parameters& features) const
   {
+    if (mesh.surroundings.has_any()) // a part may have nothing of the boundary
+      return boundary_of_part_as_reference(mesh.complex, faces, given_points, mesh.surroundings.features, features);
     require_area_of_boundary();
     return boundary_as_reference(mesh.complex, faces, points, features);
   }
@@ -396,20 +401,26 @@ private:
     throw Input_error(Input_error::Element::MESH, 0, message.str());
   }
 
+  // The mean boundary edge; that of a larger mesh is 1.
+  double own_unit() const
+  {
+    return mesh.surroundings.has_any() ? 1 : mean_boundary_edge_length(mesh.complex, given_points);
+  }
+
   Target_lengths target_lengths(const Optimization_parameters& parameters) const
   {
     if (parameters.target_length || parameters.target_edge_lengths == Target_edge_lengths::INPUT)
       return lengths_asked_for(wanted_lengths(parameters));
     // lengths between boundaries that have to go elsewhere say nothing
     if (!is_on_reference(parameters.boundary.samples.tolerance))
-      return guessed_lengths(estimate_edge_lengths(mesh.complex, relations, points));
-    const Mesh_quality quality(mesh.complex, points);
+      return guessed_lengths(estimate_edge_lengths(mesh.complex, relations, given_points, own_unit()));
+    const Mesh_quality quality(mesh.complex, given_points);
     if (quality.inverted == 0)
-      return own_edge_lengths(mesh.complex, relations, points);
+      return own_edge_lengths(mesh.complex, relations, given_points, own_unit());
     std::vector<char> is_sound(quality.scaled_jacobians.size());
     std::transform(quality.scaled_jacobians.begin(), quality.scaled_jacobians.end(), is_sound.begin(),
                    [](double s) { return s > 0; });
-    return lengths_along_sound_sheets(mesh.complex, relations, points, is_sound);
+    return lengths_along_sound_sheets(mesh.complex, relations, given_points, is_sound, own_unit());
   }
 
   std::vector<double> wanted_lengths(const Optimization_parameters& parameters) const
@@ -435,7 +446,7 @@ private:
       }
       return of_caller;
     }
-    std::vector<double> of_input = edge_lengths(mesh.complex, points);
+    std::vector<double> of_input = edge_lengths(mesh.complex, given_points);
     for (double& l : of_input)
       l = (std::max)(l, least_input_length);
     return of_input;

@@ -42,12 +42,25 @@ struct Tie
   Vector_3 translation;
 };
 
+// What a mesh has to know that is a part of a larger one.
+struct Surroundings
+{
+  std::vector<std::array<int, 4>> faces =
+    {};                 // where the larger mesh goes on, in any order: no boundary, though nothing is beyond
+  Positions given = {}; // where the vertices were when the larger mesh came in
+  std::vector<std::array<int, 2>> features = {}; // the edges that are on feature curves of the larger mesh
+  double unit = 0;                               // its mean boundary edge; 0: there is no larger mesh
+
+  bool has_any() const { return unit > 0; }
+};
+
 // What divides a mesh, and what ties it together.
 struct Regions
 {
   std::vector<int> labels;               // of the hexahedra; none: all are in one region
   std::vector<std::array<int, 4>> faces; // within a region that belong to the boundary all the same, in any order
   std::vector<Tie> ties = {};
+  Surroundings surroundings = {};
 };
 
 // A directed edge is 2e when it runs from edges[e][0] to edges[e][1], else 2e+1.
@@ -80,8 +93,9 @@ public:
     , ties(number_of_vertices, pairs(regions.ties))
   {
     number_edges();
-    pair_faces(regions.faces);
+    pair_faces(keys_of(regions.faces), keys_of(regions.surroundings.faces));
     number_boundary_edges();
+    mark_open_edges(regions.surroundings.faces);
     vertex_hexahedra = Grouped_array(
       number_of_vertices, hexahedra.size() * 8, [this](std::size_t k) { return hexahedra[k / 8][k % 8]; },
       [](std::size_t k) { return static_cast<int>(k / 8); });
@@ -109,6 +123,7 @@ public:
   std::vector<char> is_on_boundary;   // of a vertex
   std::vector<char> is_boundary_edge; // of an edge
   std::vector<char> is_singular_edge; // of an edge of the boundary: it is no manifold there
+  std::vector<char> is_open_edge;     // of an edge: a larger mesh goes on there; none: nowhere
   std::vector<char> is_used;          // of a vertex: has a hexahedron
   Ties ties;                          // of the vertices
   Grouped_array vertex_hexahedra, vertex_boundary_faces;
@@ -158,25 +173,36 @@ private:
     return face;
   }
 
-  // listed: faces that belong to the boundary though they do not divide regions.
-  void pair_faces(const std::vector<std::array<int, 4>>& listed)
+  // Sorted.
+  static std::vector<Face_key> keys_of(const std::vector<std::array<int, 4>>& faces)
   {
-    std::vector<Face_key> listed_keys;
-    for (const std::array<int, 4>& face : listed)
-      listed_keys.push_back(key_of(face));
-    std::sort(listed_keys.begin(), listed_keys.end());
+    std::vector<Face_key> keys;
+    for (const std::array<int, 4>& face : faces)
+      keys.push_back(key_of(face));
+    std::sort(keys.begin(), keys.end());
+    return keys;
+  }
+
+  // listed: faces that belong to the boundary though they do not divide regions. open: where a larger mesh goes on.
+  void pair_faces(const std::vector<Face_key>& listed, const std::vector<Face_key>& open)
+  {
+    const auto is_among = [](const std::vector<Face_key>& keys, const std::array<int, 4>& face) {
+      return !keys.empty() && std::binary_search(keys.begin(), keys.end(), key_of(face));
+    };
     const Face_neighbors neighbors(hexahedra);
     std::vector<std::array<int, 2>> dividing; // sides, that of the lower label first
     for (int side = 0; side < neighbors.number_of_sides(); ++side) {
       const int opposite = neighbors.opposite(side);
-      if (opposite == Face_neighbors::ALONE)
-        boundary_faces.push_back({neighbors.vertices(side), side / 6, -1});
+      if (opposite == Face_neighbors::ALONE) {
+        if (!is_among(open, neighbors.vertices(side)))
+          boundary_faces.push_back({neighbors.vertices(side), side / 6, -1});
+      }
       else if (opposite == Face_neighbors::UNSOUND || !neighbors.is_agreed(side))
         refuse(neighbors.sides_with_vertices_of(side));
       else if (opposite > side) {
         interior_faces.push_back({std::make_pair(side / 6, side % 6), std::make_pair(opposite / 6, opposite % 6)});
         const int a = label(side / 6), b = label(opposite / 6);
-        if (a != b || std::binary_search(listed_keys.begin(), listed_keys.end(), key_of(neighbors.vertices(side))))
+        if (a != b || is_among(listed, neighbors.vertices(side)))
           dividing.push_back(b < a ? std::array{opposite, side} : std::array{side, opposite});
       }
     }
@@ -241,6 +267,16 @@ private:
       is_singular_edge[sides[i].edge] = !is_manifold;
       boundary_edges.push_back({sides[i].edge, sides[i].face, is_manifold ? sides[i + 1].face : -1});
     }
+  }
+
+  void mark_open_edges(const std::vector<std::array<int, 4>>& open_faces)
+  {
+    if (open_faces.empty())
+      return;
+    is_open_edge.assign(edges.size(), false);
+    for (const std::array<int, 4>& face : open_faces)
+      for (int k = 0; k < 4; ++k)
+        is_open_edge[find_edge(face[k], face[(k + 1) % 4]) / 2] = true;
   }
 
   // What divides two regions is seen from that of the lower label. Faces within a region have no such side: each sheet

@@ -94,6 +94,14 @@ public:
     }
     for (const Tie& t : given.ties)
       result.ties.push_back({new_vertex_[t.vertex], new_vertex_[t.partner], t.translation});
+    result.surroundings = given.surroundings;
+    result.surroundings.given = ordered(given.surroundings.given);
+    for (std::array<int, 2>& edge : result.surroundings.features)
+      for (int& v : edge)
+        v = new_vertex_[v];
+    for (std::array<int, 4>& face : result.surroundings.faces)
+      for (int& v : face)
+        v = new_vertex_[v];
     return result;
   }
 

@@ -131,12 +131,12 @@ private:
 };
 
 // Of a mesh whose interior can be trusted: its own lengths, smoothed along the sheets of hexahedra, and certain where
-// they are meant, so that layers keep the heights that they have; where it is only poor it may be regraded.
-// O(edge pairs).
+// they are meant, so that layers keep the heights that they have; where it is only poor it may be regraded. mean:
+// length of the boundary edges. O(edge pairs).
 inline Target_lengths own_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                       const Positions& points)
+                                       const Positions& points, double mean)
 {
-  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
+  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points, mean);
   const Lengths_along_sheets own(relations, edge_lengths(complex, points),
                                  std::vector<char>(complex.edges.size(), true), estimated, meant_in_valid_mesh);
   Target_lengths result = guessed_lengths(estimated);
@@ -152,7 +152,8 @@ inline Target_lengths own_edge_lengths(const Hexahedral_complex& complex, const 
 // where it is tangled. Lengths that only interior edges have are no evidence: a layer under the surface that is thin
 // throughout is better regraded. O(edge pairs).
 inline Target_lengths lengths_along_sound_sheets(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                                 const Positions& points, const std::vector<char>& is_sound)
+                                                 const Positions& points, const std::vector<char>& is_sound,
+                                                 double mean)
 {
   const std::vector<double> present = edge_lengths(complex, points);
   std::vector<char> counts(complex.edges.size());
@@ -162,7 +163,7 @@ inline Target_lengths lengths_along_sound_sheets(const Hexahedral_complex& compl
     for (int directed : complex.hexahedron_edges[h])
       if (!is_sound[h])
         counts[directed / 2] = false;
-  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points);
+  const std::vector<double> estimated = estimate_edge_lengths(complex, relations, points, mean);
   const Lengths_along_sheets sound(relations, present, counts, estimated, meant_in_tangled_mesh);
   Target_lengths result = guessed_lengths(estimated);
   for (std::size_t e = 0; e < estimated.size(); ++e) {

@@ -104,14 +104,19 @@ inline std::vector<double> smooth_edge_lengths(const Edge_relations& relations, 
 // Boundary edges are drawn to their lengths, interior ones to the mean boundary length: it stands in for L_A because
 // the interior of a tangled mesh says nothing about lengths.
 inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
-                                                 const Positions& points)
+                                                 const Positions& points, double mean)
 {
   std::vector<double> wanted = edge_lengths(complex, points);
-  const double mean = mean_boundary_edge_length(complex, points);
   for (std::size_t e = 0; e < wanted.size(); ++e)
     if (!complex.is_boundary_edge[e])
       wanted[e] = mean;
   return smooth_edge_lengths(relations, wanted);
+}
+
+inline std::vector<double> estimate_edge_lengths(const Hexahedral_complex& complex, const Edge_relations& relations,
+                                                 const Positions& points)
+{
+  return estimate_edge_lengths(complex, relations, points, mean_boundary_edge_length(complex, points));
 }
 
 // eq. 23, 24: lengths move to the reached ones where the worst hexahedron around

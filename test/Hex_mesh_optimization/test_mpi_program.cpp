@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The Hex_mesh_optimization authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program optimize_hex_mesh_mpi as a cluster sees it, with more processes than processors.
+
+#include <CGAL/Hex_mesh_optimization/IO/vtu.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include "raw_vtu.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace {
+
+namespace HMO = CGAL::Hex_mesh_optimization;
+namespace fs = std::filesystem;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+
+struct Mesh
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  std::vector<int> labels;
+};
+
+// Each test runs in a folder of its own.
+class Mpi_program : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder = fs::absolute(std::string("mpi_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+
+  void TearDown() override { fs::remove_all(folder); }
+
+  // The exit code of a shell command, in which $RANKS n arguments starts the program.
+  int shell(const std::string& command) const
+  {
+    const std::string line =
+      "cd '" + folder.string() +
+      "' && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1"
+      " OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_plm_rsh_agent=false"
+      " OMP_NUM_THREADS=1 TMPDIR=/tmp"
+      " && ranks() { n=$1; shift; exec '" MPIRUN "' -n $n '" OPTIMIZE_HEX_MESH_MPI "' \"$@\"; }"
+      " && { " +
+      command + "; } >stdout 2>stderr";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  int run(int number_of_ranks, const std::string& arguments) const
+  {
+    return shell("(ranks " + std::to_string(number_of_ranks) + " " + arguments + ")");
+  }
+
+  std::string file(const std::string& name) const { return (folder / name).string(); }
+  bool exists(const std::string& name) const { return fs::exists(folder / name); }
+
+  std::string bytes(const std::string& name) const
+  {
+    std::ifstream in(file(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+
+  // name: less .vtu
+  void write(const std::string& name, const Mesh& mesh) const
+  {
+    test::write_raw_vtu(file(name + ".vtu"), mesh.points, mesh.hexahedra, mesh.labels);
+  }
+
+  HMO::Quality_statistics statistics(const std::string& name) const
+  {
+    Mesh mesh;
+    CGAL::IO::read_vtu_hex_mesh(file(name), mesh.points, mesh.hexahedra);
+    return HMO::quality_statistics(mesh.points, mesh.hexahedra);
+  }
+
+  fs::path folder;
+};
+
+Mesh tangled_ball(std::size_t n)
+{
+  Mesh mesh;
+  HMO::make_ball(mesh.points, mesh.hexahedra, n);
+  HMO::scramble_interior(mesh.points, mesh.hexahedra, 7, .6);
+  return mesh;
+}
+
+// The upper half has another label.
+Mesh tangled_block_of_two_materials(std::size_t n)
+{
+  Mesh mesh;
+  HMO::make_block(mesh.points, mesh.hexahedra, {{n, n, n}});
+  for (const auto& h : mesh.hexahedra)
+    mesh.labels.push_back(mesh.points[h[0]].z() < .499 ? 1 : 2);
+  const Point center(.5, .5, .5);
+  for (Point& p : mesh.points)
+    if (p == center)
+      p = Point(.77, .71, .5);
+  return mesh;
+}
+
+TEST_F(Mpi_program, Any_number_of_ranks_writes_the_same_bytes_as_parts_one_after_the_other)
+{
+  write("ball", tangled_ball(3));
+  write("block", tangled_block_of_two_materials(8));
+  for (const std::string name : {"ball", "block"}) {
+    const std::string rest = name + ".vtu out.vtu --parts 7 --quiet";
+    ASSERT_EQ(shell("'" OPTIMIZE_HEX_MESH "' " + rest), 0) << bytes("stderr");
+    const std::string expected = bytes("out.vtu");
+    EXPECT_EQ(statistics("out.vtu").number_of_invalid, 0u);
+    for (int ranks : {1, 2, 4, 7}) {
+      fs::remove(folder / "out.vtu");
+      ASSERT_EQ(run(ranks, rest), 0) << bytes("stderr");
+      EXPECT_TRUE(bytes("out.vtu") == expected) << name << " with " << ranks << " ranks";
+    }
+  }
+}
+
+TEST_F(Mpi_program, Its_report_is_that_of_the_whole_mesh)
+{
+  write("in", tangled_block_of_two_materials(8));
+  ASSERT_EQ(run(4, "in.vtu out.vtu --json out.json --max-deviation .02"), 0) << bytes("stderr");
+  const nlohmann::json report = nlohmann::json::parse(bytes("out.json")), &status = report["status"];
+  EXPECT_EQ(report["options"]["ranks"], 4);
+  EXPECT_EQ(status["after"]["minimum"], statistics("out.vtu").minimum);
+  EXPECT_GT(status["before"]["number_of_inverted"], 0);
+  EXPECT_EQ(status["after"]["number_of_invalid"], 0);
+  EXPECT_LE(status["deviation"]["certified"], .02);
+  EXPECT_EQ(status["interfaces"].size(), 1u);
+  EXPECT_EQ(status["interfaces"][0]["number_of_faces"], 64);
+  EXPECT_NE(bytes("stdout").find("The mesh is valid."), std::string::npos) << bytes("stdout");
+}
+
+TEST_F(Mpi_program, What_one_rank_finds_wrong_ends_all)
+{
+  Mesh mesh = tangled_ball(2);
+  mesh.hexahedra.back()[3] = mesh.points.size() + 5;
+  write("in", mesh);
+  EXPECT_EQ(run(3, "in.vtu out.vtu"), 3) << bytes("stderr");
+  EXPECT_NE(bytes("stderr").find("refers to a vertex that does not exist"), std::string::npos) << bytes("stderr");
+  EXPECT_FALSE(exists("out.vtu"));
+  EXPECT_EQ(run(2, "missing.vtu out.vtu"), 3);
+  EXPECT_EQ(run(2, "in.vtu"), 2);
+}
+
+TEST_F(Mpi_program, A_rank_that_is_killed_leaves_nothing_half_done)
+{
+  write("in", tangled_ball(8));
+  const std::string before = bytes("in.vtu");
+  EXPECT_NE(shell("(ranks 2 in.vtu in.vtu) & sleep 2; kill -9 $(pgrep -P $! | head -n 1); wait $!"), 0);
+  EXPECT_TRUE(bytes("in.vtu") == before);
+  for (const auto& entry : fs::directory_iterator(folder))
+    EXPECT_EQ(entry.path().extension() == ".tmp", false) << entry.path();
+}
+
+TEST_F(Mpi_program, When_it_is_told_to_end_it_writes_the_best_mesh_so_far)
+{
+  write("in", tangled_ball(8));
+  const std::size_t inverted = statistics("in.vtu").number_of_inverted;
+  const int code = shell("(ranks 2 in.vtu out.vtu) & sleep 2; kill -TERM $(pgrep -P $!); wait $!");
+  EXPECT_TRUE(code == 0 || code == 1) << code << bytes("stderr");
+  ASSERT_TRUE(exists("out.vtu")) << bytes("stderr");
+  EXPECT_NE(bytes("stdout").find("interrupted"), std::string::npos) << bytes("stdout");
+  EXPECT_LE(statistics("out.vtu").number_of_inverted, inverted);
+}
+
+TEST_F(Mpi_program, When_time_is_over_it_writes_the_best_mesh_so_far)
+{
+  write("in", tangled_ball(8));
+  const int code = run(2, "in.vtu out.vtu --time-limit .5");
+  EXPECT_TRUE(code == 0 || code == 1) << bytes("stderr");
+  EXPECT_NE(bytes("stdout").find("the time limit was reached"), std::string::npos) << bytes("stdout");
+  EXPECT_TRUE(exists("out.vtu"));
+}
+
+} // namespace
