@@ -245,6 +245,29 @@ TEST(Solid_of_surface, closes_holes_smaller_than_a_cell_and_refuses_others_with_
   EXPECT_NEAR(solid.report.largest_filled_hole, std::sqrt(2.) / 8, 1e-9);
 }
 
+// The sides of a cube, each with vertices of its own.
+TEST(Solid_of_surface, stitches_patches_with_gaps_much_smaller_than_a_cell_and_tells_how_far)
+{
+  const Reference_input cube = box(Vector_3(0, 0, 0), Vector_3(1, 1, 1));
+  for (double gap : {1e-5, 1e-3, 5e-3}) {
+    Reference_input soup;
+    for (const Triangle_indices& t : cube.triangles) {
+      const Vector_3 normal = (cube.points[t[1]] - cube.points[t[0]]).cross(cube.points[t[2]] - cube.points[t[0]]);
+      for (int v : t)
+        soup.points.push_back(cube.points[v] + gap * normal);
+      const int n = static_cast<int>(soup.points.size());
+      soup.triangles.push_back({n - 3, n - 2, n - 1});
+    }
+    const Solid_of_surface solid(soup, 1000, .25);
+    EXPECT_NEAR(solid.report.volume, 1, 7 * gap);
+    EXPECT_EQ(solid.report.euler_characteristic, 2);
+    EXPECT_EQ(solid.report.number_of_filled_holes, 0u);
+    EXPECT_GT(solid.report.number_of_stitched_vertices, 0u);
+    EXPECT_GT(solid.report.farthest_moved, gap);
+    EXPECT_LT(solid.report.farthest_moved, 3 * gap);
+  }
+}
+
 // A vertex of the top goes out through the bottom.
 Reference_input pulled_through()
 {

@@ -95,8 +95,7 @@ public:
   {
     require_finite();
     const double cell = spacing > 0 ? spacing : estimated_spacing(number);
-    const double tolerance = 1e-3; // of borders that belong together, in cells
-    Soup_stitching stitched(given.points, given.triangles, tolerance * cell, cell);
+    const Soup_stitching stitched = closed(given, cell);
     require_closed(stitched, cell);
     const double rounding = 3e-6 * bounding_diagonal(); // of parts that touch
     auto parts = std::make_unique<const Soup_parts>(stitched.points, stitched.triangles);
@@ -154,6 +153,18 @@ private:
     const double least = .05; // part of the box
     const double volume = (std::max)(std::abs(enclosed_volume(given_.points, given_.triangles)), least * box.volume());
     return spacing_for(volume, surface_area(given_.points, given_.triangles), number);
+  }
+
+  // Borders that are farther apart belong together as well if the surface is open otherwise.
+  static Soup_stitching closed(const Reference_input& given, double cell)
+  {
+    const double most = .05; // distance, in cells
+    for (double tolerance : {1e-3, .01}) {
+      Soup_stitching stitched(given.points, given.triangles, tolerance * cell, cell);
+      if (std::all_of(stitched.holes.begin(), stitched.holes.end(), [](const auto& hole) { return hole.is_filled; }))
+        return stitched;
+    }
+    return Soup_stitching(given.points, given.triangles, most * cell, cell);
   }
 
   void require_closed(const Soup_stitching& stitched, double cell) const
