@@ -45,6 +45,20 @@ TEST(thin_walls, are_lost_where_they_are_much_thinner_than_a_cell)
   EXPECT_EQ(lost_part(wall(1.6, .2), grid), 15. / 16);
 }
 
+TEST(thin_walls, leave_gaps_between_them_open_that_are_not_much_narrower_than_a_cell)
+{
+  for (double width : {.6, .2}) {
+    Voxel_grid grid = empty_grid();
+    for (std::size_t cell = 0; cell < grid.is_inside.size(); ++cell)
+      grid.is_inside[cell] = grid.is_in_box(cell);
+    EXPECT_TRUE(is_gap_closed(wall(1.6, width)[0], grid));
+    keep_gaps(wall(1.6, width), .25, grid);
+    EXPECT_EQ(grid.number_inside(), width > .25 ? 48u : 64u);
+    EXPECT_EQ(grid.is_inside[grid.index(2, 2, 1)] != 0, width < .25);
+    EXPECT_EQ(is_gap_closed(wall(1.6, width)[0], grid), width < .25);
+  }
+}
+
 TEST(thin_walls, are_those_with_fewer_cells_behind_them_than_wanted)
 {
   Voxel_grid grid = empty_grid();

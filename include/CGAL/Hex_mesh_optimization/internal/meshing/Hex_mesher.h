@@ -28,6 +28,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/meet_number.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/place_vertices.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
@@ -41,6 +42,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +71,7 @@ public:
         return;
       is_shell_ = false;
       is_refined_ = false;
+      has_topology_of_surface = false;
       measure_walls(h);
     }
     if (parameters.spacing > 0)
@@ -87,10 +90,7 @@ public:
   std::string unresolved(const Matrix_3& axes) const
   {
     const Voxel_grid grid = voxels(spacing);
-    std::vector<Triangle_indices> inside_out = reference_.triangles;
-    for (Triangle_indices& t : inside_out)
-      std::swap(t[1], t[2]);
-    const std::vector<Wall_distance> gaps = wall_distances(reference_.points, inside_out, .7 * spacing);
+    const std::vector<Wall_distance> gaps = gap_distances(density * spacing);
     const Wall_distance* thinnest = nullptr;
     bool is_wall = true;
     const auto propose = [&](const Wall_distance& p, bool wall) {
@@ -103,7 +103,7 @@ public:
       if (p.distance < 2 * spacing && cells_behind(p, grid).empty())
         propose(p, true);
     for (const Wall_distance& p : gaps)
-      if (p.distance < 2 * spacing && is_closed(p, grid))
+      if (p.distance < 2 * spacing && is_gap_closed(p, grid))
         propose(p, false);
     const std::string text = "the mesh would not have the topology of the surface: cells about " + in_digits(spacing) +
                              " long close holes or gaps, or leave holes in walls.";
@@ -141,27 +141,19 @@ private:
   // Until there are about as many hexahedra as wanted.
   void make_number(double h)
   {
-    double best = h, miss_of_best = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < parameters_.most_attempts; ++attempt) {
-      Voxel_grid grid = voxels(h);
-      if (!resolve(grid, h)) {
-        describe(grid);
-        return;
+    meet_number(h, wanted_, parameters_, [&](double spacing_of_grid) -> std::optional<std::size_t> {
+      double resolving = spacing_of_grid;
+      Voxel_grid grid = voxels(resolving);
+      if (!resolve(grid, resolving)) {
+        if (!has_topology_of_surface) // no grid before had it either
+          describe(grid);
+        return std::nullopt;
       }
-      make(grid, h);
+      make(grid, resolving);
       if (is_refined_ || (is_shell_ && !is_swept_)) // for the topology: there are as many as it takes
-        return;
-      const double ratio = double(mesh.hexahedra.size()) / wanted_;
-      if (std::abs(std::log(ratio)) < miss_of_best) {
-        miss_of_best = std::abs(std::log(ratio));
-        best = h;
-      }
-      if (std::abs(ratio - 1) <= parameters_.number_tolerance)
-        return;
-      if (attempt + 1 == parameters_.most_attempts && best != h)
-        make(voxels(best), best);
-      h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
-    }
+        return std::nullopt;
+      return mesh.hexahedra.size();
+    });
   }
 
   // The spacing that thin parts need, or as much of it as they may have. What is wanted grows with it.
@@ -176,38 +168,60 @@ private:
     return h * std::pow(excess, -1 / 2.5);
   }
 
-  Voxel_grid voxels(double h) const
+  // gaps: those that stay open, if cells as long can keep them.
+  Voxel_grid voxels(double h, const std::vector<Wall_distance>& gaps = {}) const
   {
     require_countable_cells(box_, h);
     Voxel_grid grid = solid_voxels(surface_, walls_,
                                    Voxel_grid(
                                      grid_planes(reference_.points, reference_.triangles, box_, h, parameters_.grid)),
-                                   is_shell_);
+                                   is_shell_, gaps);
     Voxel_annealing(
       grid, [&](std::size_t cell) { return distance_from(surface_, grid.center(cell)); }, parameters_.annealing);
     return grid;
   }
 
-  void measure_walls(double h)
+  void measure_walls(double h) { walls_ = wall_distances(reference_.points, reference_.triangles, density * h); }
+
+  // Through what is outside.
+  std::vector<Wall_distance> gap_distances(double distance_of_places) const
   {
-    const double density = .7; // in cells
-    walls_ = wall_distances(reference_.points, reference_.triangles, density * h);
+    std::vector<Triangle_indices> inside_out = reference_.triangles;
+    for (Triangle_indices& t : inside_out)
+      std::swap(t[1], t[2]);
+    return wall_distances(reference_.points, inside_out, distance_of_places);
   }
 
-  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one: the first that
-  // loses next to no wall, or else the one that loses least.
+  // Where holes are closed or walls have holes, a grid that is a little different may do, or a finer one. If none does, one of
+  // them may in which gaps keep cells outside.
   // Tells whether there is one with the topology of the surface.
   bool resolve(Voxel_grid& grid, double& h)
   {
-    const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
-    const bool is_right = euler_characteristic(grid) == wanted;
+    const bool is_right = euler_characteristic(grid) == euler_characteristic(reference_.triangles);
     if (is_right && lost_part(walls_, grid) <= parameters_.tolerated_thin_area)
       return true;
+    if (refine(grid, h, {}) || is_right)
+      return true;
+    const std::vector<Wall_distance> gaps = gap_distances(density * h);
+    Voxel_grid other = voxels(h, gaps);
+    if (euler_characteristic(other) == euler_characteristic(reference_.triangles)) {
+      grid = std::move(other);
+      return true;
+    }
+    return refine(grid, h, gaps);
+  }
+
+  // The first grid that loses next to no wall, or else the one that loses least of those with the right topology. Tells whether
+  // there is any.
+  bool refine(Voxel_grid& grid, double& h, const std::vector<Wall_distance>& gaps)
+  {
+    const std::ptrdiff_t wanted = euler_characteristic(reference_.triangles);
     const double tolerated = 1e-3; // part of the surface
     const double h_before = h;
+    bool is_found = false;
     double least = std::numeric_limits<double>::infinity();
     for (double factor = .97; least > tolerated && std::pow(factor, -2.5) < parameters_.most_excess; factor *= .94) {
-      Voxel_grid other = voxels(factor * h_before);
+      Voxel_grid other = voxels(factor * h_before, gaps);
       if (euler_characteristic(other) != wanted)
         continue;
       const double lost = lost_part(walls_, other);
@@ -215,20 +229,10 @@ private:
         least = lost;
         grid = std::move(other);
         h = factor * h_before;
-        is_refined_ = true;
+        is_found = is_refined_ = true;
       }
     }
-    return is_right || is_refined_;
-  }
-
-  // Whether no cell between a place and the opposite one, across a gap, is outside.
-  static bool is_closed(const Wall_distance& p, const Voxel_grid& grid)
-  {
-    const int steps = static_cast<int>(std::ceil(4 * p.distance / grid.least_spacing())) + 1;
-    for (int i = 0; i < steps; ++i)
-      if (!grid.is_inside[grid.cell_of(p.place + (i + .5) / steps * p.distance * p.inward)])
-        return false;
-    return true;
+    return is_found;
   }
 
   void describe(const Voxel_grid& grid)
@@ -285,6 +289,7 @@ private:
   const Triangle_surface surface_;
   const Eigen::AlignedBox3d box_;
   std::vector<Wall_distance> walls_;
+  static constexpr double density = .7;           // of places on the surface, in cells
   static constexpr double larger_than_flat = 1.4; // a surface of steps than a surface
   bool is_shell_ = false;                         // most of it is a wall thinner than a cell
   bool is_swept_ = false;

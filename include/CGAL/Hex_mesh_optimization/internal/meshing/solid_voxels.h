@@ -151,15 +151,17 @@ inline double distance_from(const Triangle_surface& surface, const Vector_3& p)
 
 // Closed, oriented outwards, in the box of the grid. What is returned may have no cell inside.
 // walls: those of the surface, about as dense as the cells; is_shell: denser, all that are thin get a layer of cells.
+// gaps: that stay open where cells can keep them.
 inline Voxel_grid solid_voxels(const Triangle_surface& surface, const std::vector<Wall_distance>& walls,
-                               Voxel_grid grid, bool is_shell = false)
+                               Voxel_grid grid, bool is_shell = false, const std::vector<Wall_distance>& gaps = {})
 {
-  const double thinnest = .25; // wall that is kept, in cells
+  const double thinnest = .25; // wall or gap that is kept, in cells
   fill_inside(surface.points, surface.triangles, grid);
   if (is_shell)
     fill_thin_walls(walls, grid);
   else
     keep_thin_walls(walls, thinnest, grid);
+  keep_gaps(gaps, thinnest, grid);
   drop_crumbs(grid, surface);
   Manifold_voxels(
     grid, [&](std::size_t cell) { return distance_from(surface, grid.center(cell)); }, is_shell);

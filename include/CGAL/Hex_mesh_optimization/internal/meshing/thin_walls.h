@@ -88,6 +88,29 @@ inline void keep_thin_walls(const std::vector<Wall_distance>& places, double lea
   }
 }
 
+// Whether no cell between a place and the opposite one, across a gap, is outside.
+inline bool is_gap_closed(const Wall_distance& p, const Voxel_grid& grid)
+{
+  const int steps = static_cast<int>(std::ceil(4 * p.distance / grid.least_spacing())) + 1;
+  for (int i = 0; i < steps; ++i)
+    if (!grid.is_inside[grid.cell_of(p.place + (i + .5) / steps * p.distance * p.inward)])
+      return false;
+  return true;
+}
+
+// Gaps that fit between the centers of cells keep the cells in their middle outside, unless they are narrower than `least`
+// cells. gaps: from places of the surface through what is outside.
+inline void keep_gaps(const std::vector<Wall_distance>& gaps, double least, Voxel_grid& grid)
+{
+  for (const Wall_distance& p : gaps) {
+    if (p.distance > 2 * grid.mean_spacing() || p.distance < least * grid.mean_spacing() || !is_gap_closed(p, grid))
+      continue;
+    const std::size_t cell = grid.cell_of(p.place + p.distance / 2 * p.inward);
+    if (grid.is_in_box(cell))
+      grid.is_inside[cell] = false;
+  }
+}
+
 // Walls thinner than a cell get all cells that their middle passes: they hang together by faces, one cell thick. Places are
 // denser than cells.
 inline void fill_thin_walls(const std::vector<Wall_distance>& places, Voxel_grid& grid)
