@@ -150,6 +150,8 @@ void write_page(const Options& o, const Input& input, const Mesh& mesh, const HM
   page.add_mesh("before", "Start: voxels and layers", before.points, before.hexahedra);
   page.add_mesh("after", "Result", mesh.points, mesh.hexahedra);
   page.add_reference("Surface");
+  if (!status.labels.empty() && status.labels.size() == before.hexahedra.size())
+    page.add_labels(status.labels);
   page.add_places("thin_places", thin_places(surface, status));
   write_page(page, o, status, report);
 }

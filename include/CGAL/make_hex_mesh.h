@@ -173,12 +173,14 @@ Meshing_status make_mesh(const Reference_input& surface, const std::vector<int>&
                engine_hexahedra(best.hexahedra), body.area);
     status.euler_characteristic += body.euler_characteristic;
     status.labels.insert(status.labels.end(), body.labels.begin(), body.labels.end());
+    status.materials.insert(status.materials.end(), body.materials.begin(), body.materials.end());
   }
   joined.finish();
   static_cast<Status&>(status) = std::move(joined.status);
   static_cast<Voxel_status&>(status) = std::move(joined.of_grids);
   if (!parts.empty()) {
-    status.materials = solid.bodies[0].materials;
+    std::sort(status.materials.begin(), status.materials.end(),
+              [](const Material_report& a, const Material_report& b) { return a.label < b.label; });
     describe_parts(joined.hexahedra, status);
   }
   assign_index_ranges(joined.points, joined.hexahedra, points, hexahedra);

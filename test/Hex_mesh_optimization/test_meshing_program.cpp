@@ -177,13 +177,31 @@ TEST_F(Meshing_program, takes_each_of_several_files_for_a_part)
   EXPECT_EQ(number_of_hexahedra("out.mesh"), 128u);
 }
 
-TEST_F(Meshing_program, says_which_part_is_lost)
+TEST_F(Meshing_program, refuses_cells_that_lose_a_part_and_says_which)
 {
   std::ofstream(folder / "tiny.off") << "OFF\n8 6 0\n.4 .4 .49\n.6 .4 .49\n.6 .6 .49\n.4 .6 .49\n.4 .4 .51\n.6 .4 .51\n"
                                         ".6 .6 .51\n.4 .6 .51\n"
                                         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  EXPECT_EQ(run("cube.off tiny.off out.mesh --materials --spacing .5"), 1);
-  EXPECT_TRUE(contains(text("stdout"), "Part 2 is lost"));
+  EXPECT_EQ(run("cube.off tiny.off out.mesh --materials --spacing .5"), 3);
+  EXPECT_TRUE(contains(text("stderr"), "part 2 is about"));
+  EXPECT_TRUE(contains(text("stderr"), "would do"));
+  EXPECT_FALSE(exists("out.mesh"));
+}
+
+TEST_F(Meshing_program, keeps_parts_apart_however_narrow_the_gap_between_them)
+{
+  std::ofstream(folder / "near.off") << "OFF\n8 6 0\n1.001 0 0\n2 0 0\n2 1 0\n1.001 1 0\n1.001 0 1\n2 0 1\n2 1 1\n"
+                                        "1.001 1 1\n"
+                                        "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  EXPECT_EQ(run("cube.off near.off out.mesh --materials --spacing .25 --json report.json"), 0);
+  EXPECT_EQ(number_with_label(folder / "out.mesh", 1), 64u);
+  EXPECT_EQ(number_with_label(folder / "out.mesh", 2), 64u);
+  const nlohmann::json status = nlohmann::json::parse(text("report.json"))["status"];
+  EXPECT_EQ(status["number_of_bodies"], 2);
+  ASSERT_EQ(status["parts"].size(), 2u);
+  EXPECT_NEAR(status["parts"][0]["volume_after"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(status["parts"][1]["volume_after"].get<double>(), .999, 1e-9);
+  EXPECT_EQ(status["regions"].size(), 2u);
 }
 
 TEST_F(Meshing_program, tells_wrong_usage_from_files_that_cannot_be_used)

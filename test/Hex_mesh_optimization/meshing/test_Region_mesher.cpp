@@ -263,4 +263,19 @@ TEST(Region_mesher, divides_touching_boxes_along_their_grid)
   EXPECT_EQ(std::count(mesher.region.begin(), mesher.region.end(), 2), 64);
 }
 
+TEST(Region_mesher, lists_triangles_with_no_cell_of_their_region_behind_them)
+{
+  // a sheet between two boxes that is thinner than what gets a row of cells
+  const Region_surfaces r = regions(Assembly()
+                                      .add(box_surface({0, 0, 0}, {1, 1, 1}), 1)
+                                      .add(box_surface({0, 0, 1}, {1, 1, 1.02}), 2)
+                                      .add(box_surface({0, 0, 1.02}, {1, 1, 2}), 3));
+  Meshing_parameters parameters;
+  parameters.spacing = .25;
+  const Region_mesher mesher(r.surface, r.materials, parameters);
+  EXPECT_FALSE(mesher.thin_triangles.empty());
+  for (std::size_t t : mesher.thin_triangles)
+    EXPECT_TRUE(r.surface.labels[t][0] == 2 || r.surface.labels[t][1] == 2);
+}
+
 } // namespace

@@ -106,6 +106,21 @@ private:
       limit.hexahedron += of_hexahedra;
   }
 
+  // By their labels.
+  void join(const std::vector<Region_volume>& regions)
+  {
+    for (const Region_volume& region : regions) {
+      const auto at = std::lower_bound(status.regions.begin(), status.regions.end(), region.label,
+                                       [](const Region_volume& r, int label) { return r.label < label; });
+      if (at == status.regions.end() || at->label != region.label)
+        status.regions.insert(at, region);
+      else {
+        at->before += region.before;
+        at->after += region.after;
+      }
+    }
+  }
+
   // The mean over as many cells.
   void join(Voxel_status& of_grid, std::size_t cells)
   {
@@ -126,10 +141,10 @@ private:
     status.deviation.maximum = (std::max)(status.deviation.maximum, part.deviation.maximum);
     status.deviation.certified = (std::max)(status.deviation.certified, part.deviation.certified);
     status.deviation.bilinear = (std::max)(status.deviation.bilinear, part.deviation.bilinear);
-    for (std::size_t i = 0; i < (std::min)(status.regions.size(), part.regions.size()); ++i) {
-      status.regions[i].before += part.regions[i].before; // one, as there are no labels
-      status.regions[i].after += part.regions[i].after;
-    }
+    join(part.regions);
+    status.interfaces.insert(status.interfaces.end(), part.interfaces.begin(), part.interfaces.end());
+    std::sort(status.interfaces.begin(), status.interfaces.end(),
+              [](const auto& a, const auto& b) { return a.labels < b.labels; });
     status.volume_before += part.volume_before;
     status.volume_after += part.volume_after;
     status.iterations += part.iterations;

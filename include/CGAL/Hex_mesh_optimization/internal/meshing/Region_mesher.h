@@ -25,9 +25,12 @@
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Solid_of_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Surface_partition.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Voxel_grid.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/Wall_distances.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/grid_planes.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/meet_number.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/place_vertices.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/solid_voxels.h>
+#include <CGAL/Hex_mesh_optimization/internal/meshing/thin_walls.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/voxel_hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/sharp_edges.h>
@@ -38,7 +41,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,27 +86,18 @@ public:
   std::vector<int> region;
   double spacing = 0;          // mean of the three axes
   std::vector<int> unresolved; // labels of regions whose cells have another topology
+  std::vector<std::size_t>
+    thin_triangles; // with fewer cells of a region between them and its opposite wall than wanted
 
 private:
   // Until there are about as many hexahedra as wanted.
   void make_number(double h)
   {
-    double best = h, miss_of_best = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < parameters_.most_attempts; ++attempt) {
-      make(h);
-      if (is_refined_) // there are as many as it takes
-        return;
-      const double ratio = double(mesh.hexahedra.size()) / double(parameters_.number_of_hexahedra);
-      if (std::abs(std::log(ratio)) < miss_of_best) {
-        miss_of_best = std::abs(std::log(ratio));
-        best = h;
-      }
-      if (std::abs(ratio - 1) <= parameters_.number_tolerance)
-        return;
-      if (attempt + 1 == parameters_.most_attempts && best != h)
-        make(best);
-      h *= std::pow(ratio, 1 / 2.7); // between that of surfaces and volumes
-    }
+    meet_number(h, double(parameters_.number_of_hexahedra), parameters_, [&](double of_grid) {
+      make(of_grid);
+      return is_refined_ ? std::nullopt // there are as many as it takes
+                         : std::optional<std::size_t>(mesh.hexahedra.size());
+    });
   }
 
   Region_voxels voxels(double h) const
@@ -126,6 +120,28 @@ private:
       if (euler_characteristic(grid) != material.euler_characteristic)
         result.push_back(material.label);
     }
+    return result;
+  }
+
+  std::vector<std::size_t> thin_triangles_of(const Region_voxels& voxels) const
+  {
+    const double density = .7; // in cells
+    std::vector<std::size_t> result;
+    Voxel_grid grid = voxels.grid;
+    for (int l : labels_) {
+      std::vector<std::size_t> triangle; // of the surface, of each around the region
+      for (std::size_t t = 0; t < regions_.labels.size(); ++t)
+        if (regions_.labels[t][0] == l || regions_.labels[t][1] == l)
+          triangle.push_back(t);
+      for (std::size_t cell = 0; cell < voxels.label.size(); ++cell)
+        grid.is_inside[cell] = voxels.label[cell] == l;
+      const std::vector<Wall_distance> walls = wall_distances(regions_.points, triangles_around(regions_, l),
+                                                              density * spacing);
+      for (std::size_t t : internal::thin_triangles(walls, grid, parameters_.minimum_cells_across))
+        result.push_back(triangle[t]);
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
@@ -155,6 +171,7 @@ private:
     unresolved = wrong_regions(voxels);
     require_cells_inside(voxels.grid, h);
     spacing = voxels.grid.mean_spacing();
+    thin_triangles = thin_triangles_of(voxels);
     mesh = voxel_hexahedra(voxels.grid);
     region.clear();
     for (std::size_t cell = 0; cell < voxels.label.size(); ++cell)

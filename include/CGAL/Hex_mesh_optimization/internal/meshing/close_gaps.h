@@ -14,7 +14,7 @@
 
 // Where two parts have a curved surface in common that each divides into triangles of its own, slivers of gaps and of
 // overlaps are between them. If the first one goes a little into the second, or behind its surface, the second one's
-// surface is that of both.
+// surface is that of both. A gap, or an overlap, that is about as wide everywhere is meant.
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_indices.h>
@@ -26,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -43,6 +44,7 @@ inline std::size_t close_gaps(Positions& points, std::vector<Triangle_indices>& 
   };
   std::vector<int> side(triangles.size(), 0); // 1: to go outwards, into the other part or around it; -1: inwards
   double gap = 0;                             // the widest, and the deepest overlap
+  double least = std::numeric_limits<double>::infinity(); // the narrowest
   std::vector<double> of_vertex(points.size(), -1);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Triangle_indices& v = triangles[t];
@@ -67,8 +69,12 @@ inline std::size_t close_gaps(Positions& points, std::vector<Triangle_indices>& 
       continue;
     side[t] = along < 0 || wins ? 1 : -1;
     gap = (std::max)(gap, farthest);
+    for (int w : v)
+      least = (std::min)(least, of_vertex[w]);
+    least = (std::min)(least, (foot.point - center).norm());
   }
-  if (gap <= rounding)
+  constexpr double even = .5; // the narrowest over the widest
+  if (gap <= rounding || least > even * gap)
     return 0;
   const double depth = (std::min)(nearly, 2 * gap); // where neither has a vertex, both are off
 

@@ -52,7 +52,7 @@ struct Meshed_body
 
 struct Meshed_solid
 {
-  std::vector<Meshed_body> bodies; // one if its parts stay apart
+  std::vector<Meshed_body> bodies; // if its parts stay apart, one for those that hang together
   Surface_report report;
   double diagonal = 0; // of the box of the surface
 };

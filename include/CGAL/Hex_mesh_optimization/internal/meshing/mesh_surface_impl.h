@@ -14,6 +14,7 @@
 
 // The definitions of what mesh_surface.h declares.
 
+#include <CGAL/Hex_mesh_optimization/internal/base/Disjoint_sets.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hex_mesher.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Hexahedra.h>
 #include <CGAL/Hex_mesh_optimization/internal/meshing/Region_mesher.h>
@@ -32,9 +33,12 @@
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,6 +62,32 @@ inline std::ptrdiff_t euler_characteristic(const Hexahedra& mesh)
   return static_cast<std::ptrdiff_t>(vertices.size()) - faces;
 }
 
+// What no optimization mends: a part that is thinner than a cell, and lost or in pieces. Throws Input_error with what would
+// do for the thinnest.
+inline void require_thick_parts(const Region_mesher& mesher, const Meshed_body& body)
+{
+  double volume = 0, thinnest = mesher.spacing;
+  int label = Reference_input::no_label;
+  for (const Material_report& material : body.materials) {
+    volume += material.volume;
+    const double thickness = material.area > 0 ? 2 * material.volume / material.area : 0;
+    if (thickness < thinnest &&
+        std::binary_search(mesher.unresolved.begin(), mesher.unresolved.end(), material.label)) {
+      thinnest = thickness;
+      label = material.label;
+    }
+  }
+  if (label == Reference_input::no_label)
+    return;
+  const double enough = thinnest / 2;
+  const double number = number_for(volume, surface_area(body.surface.points, body.surface.triangles), enough);
+  throw Input_error(Input_error::Element::MESH, 0,
+                    "part " + std::to_string(label) + " is about " + in_digits(thinnest) +
+                      " thick where no part with a higher label is; cells about " + in_digits(mesher.spacing) +
+                      " long lose it, or do not have its topology. A spacing of " + in_digits(enough) + ", or about " +
+                      in_digits(number) + " hexahedra, would do");
+}
+
 // Sets the rest of a body with a surface and parameters.
 inline void mesh_body(Meshed_body& body)
 {
@@ -66,6 +96,9 @@ inline void mesh_body(Meshed_body& body)
   for (Vector_3& p : turned.points)
     p = axes.transpose() * p;
   const auto take = [&](const auto& mesher) {
+    body.status = {mesher.spacing, true, {}};
+    for (std::size_t t : mesher.thin_triangles)
+      body.status.thin_faces.push_back(body.face_of[t]);
     body.points.clear();
     for (const Vector_3& p : mesher.mesh.points)
       body.points.push_back(axes * p);
@@ -75,9 +108,10 @@ inline void mesh_body(Meshed_body& body)
   };
   if (!body.surface.labels.empty()) {
     const Region_mesher mesher(turned, body.materials, body.parameters);
+    require_thick_parts(mesher, body);
     take(mesher);
     body.labels = mesher.region;
-    body.status = {mesher.spacing, mesher.unresolved.empty(), {}};
+    body.status.has_topology_of_surface = mesher.unresolved.empty();
     for (Material_report& material : body.materials)
       material.has_topology = !std::binary_search(mesher.unresolved.begin(), mesher.unresolved.end(), material.label);
     return;
@@ -86,25 +120,96 @@ inline void mesh_body(Meshed_body& body)
   if (!mesher.has_topology_of_surface)
     throw Input_error(Input_error::Element::MESH, 0, mesher.unresolved(axes));
   take(mesher);
-  body.status = {mesher.spacing, mesher.has_topology_of_surface, {}};
-  for (std::size_t t : mesher.thin_triangles)
-    body.status.thin_faces.push_back(body.face_of[t]);
+}
+
+// Labels of parts that hang together by interfaces: what is only near has a grid of its own, and stays apart however
+// narrow the gap is. Those without any volume are with the first.
+inline std::vector<std::vector<int>> groups_of_parts(const Region_surfaces& regions)
+{
+  std::vector<int> labels;
+  for (const Material_report& material : regions.materials)
+    labels.push_back(material.label);
+  const auto index = [&](int label) {
+    return static_cast<std::size_t>(std::lower_bound(labels.begin(), labels.end(), label) - labels.begin());
+  };
+  Disjoint_sets sets(labels.size());
+  std::vector<char> has_volume(labels.size(), false);
+  for (const auto& [a, b] : regions.surface.labels) {
+    for (int label : {a, b})
+      if (label != Reference_input::no_label)
+        has_volume[index(label)] = true;
+    if (a != Reference_input::no_label && b != Reference_input::no_label)
+      sets.unite(index(a), index(b));
+  }
+  std::map<std::size_t, std::vector<int>> of_root;
+  std::vector<int> others;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    (has_volume[i] ? of_root[sets.find(i)] : others).push_back(labels[i]);
+  std::vector<std::vector<int>> result;
+  for (auto& entry : of_root)
+    result.push_back(std::move(entry.second));
+  if (result.empty())
+    return {others};
+  result[0].insert(result[0].end(), others.begin(), others.end());
+  std::sort(result[0].begin(), result[0].end());
+  return result;
+}
+
+// The regions of a group, with the surfaces around and between them.
+inline Meshed_body body_of_parts(const Region_surfaces& regions, const std::vector<int>& group)
+{
+  const auto has = [&](int label) { return std::binary_search(group.begin(), group.end(), label); };
+  Meshed_body result;
+  result.surface.points = regions.surface.points;
+  result.surface.sharp_is_given = regions.surface.sharp_is_given;
+  std::vector<char> is_used(regions.surface.points.size(), false);
+  for (std::size_t t = 0; t < regions.surface.triangles.size(); ++t) {
+    const std::array<int, 2>& labels = regions.surface.labels[t];
+    if (!has(labels[0]) && !has(labels[1]))
+      continue;
+    result.surface.triangles.push_back(regions.surface.triangles[t]);
+    result.surface.labels.push_back(labels);
+    result.face_of.push_back(regions.face_of[t]);
+    for (int v : regions.surface.triangles[t])
+      is_used[v] = true;
+  }
+  for (const std::array<int, 2>& e : regions.surface.sharp)
+    if (is_used[e[0]] && is_used[e[1]])
+      result.surface.sharp.push_back(e);
+  for (const Material_report& material : regions.materials)
+    if (has(material.label))
+      result.materials.push_back(material);
+  return result;
 }
 
 // Of all parts, each with its label.
 inline Meshed_solid mesh_parts(const Reference_input& surface, const Meshing_parameters& parameters,
                                const std::vector<int>& parts)
 {
-  Region_surfaces regions(surface, parts, double(parameters.number_of_hexahedra), parameters.spacing);
-  Meshed_body meshed;
-  meshed.parameters = parameters;
-  meshed.surface = std::move(regions.surface);
-  meshed.face_of = std::move(regions.face_of);
-  meshed.materials = std::move(regions.materials);
-  mesh_body(meshed);
+  const Region_surfaces regions(surface, parts, double(parameters.number_of_hexahedra), parameters.spacing);
+  const auto extent = [](const Meshed_body& body) {
+    double volume = 0;
+    for (const Material_report& material : body.materials)
+      volume += material.volume;
+    return std::make_pair(volume, surface_area(body.surface.points, body.surface.triangles));
+  };
   Meshed_solid result;
-  result.bodies.push_back(std::move(meshed));
-  result.report = std::move(regions.report);
+  double volume = 0, area = 0;
+  for (const std::vector<int>& group : groups_of_parts(regions)) {
+    result.bodies.push_back(body_of_parts(regions, group));
+    volume += extent(result.bodies.back()).first;
+    area += extent(result.bodies.back()).second;
+  }
+  const double h = spacing_for(volume, area, double(parameters.number_of_hexahedra));
+  for (Meshed_body& body : result.bodies) {
+    body.parameters = parameters;
+    if (result.bodies.size() > 1) {
+      const double share = number_for(extent(body).first, extent(body).second, h);
+      body.parameters.number_of_hexahedra = (std::max)(std::size_t(1), static_cast<std::size_t>(share));
+    }
+    mesh_body(body);
+  }
+  result.report = regions.report;
   return result;
 }
 
