@@ -58,9 +58,13 @@ protected:
     const std::string line =
       "cd '" + folder.string() +
       "' && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1"
+      " PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe OMPI_MCA_hwloc_base_binding_policy=none"
       " OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_plm_rsh_agent=false"
-      " OMP_NUM_THREADS=1 TMPDIR=/tmp"
+      " OMPI_MCA_btl_vader_single_copy_mechanism=none OMP_NUM_THREADS=1 TMPDIR=/tmp"
       " && ranks() { n=$1; shift; exec '" MPIRUN "' -n $n '" OPTIMIZE_HEX_MESH_MPI "' \"$@\"; }"
+      // until the first of the ranks that the process has started has worked for a second, however busy the machine is
+      " && wait_for_work() { for i in $(seq 600); do r=$(pgrep -P $1 | head -n 1);"
+      " if [ \"$r\" ] && [ \"$(ps -o cputimes= -p $r)\" -ge 1 ]; then return; fi; sleep .1; done; }"
       " && { " +
       command + "; } >stdout 2>stderr";
     const int status = std::system(line.c_str());
@@ -165,19 +169,18 @@ TEST_F(Mpi_program, What_one_rank_finds_wrong_ends_all)
 
 TEST_F(Mpi_program, A_rank_that_is_killed_leaves_nothing_half_done)
 {
-  write("in", tangled_ball(8));
+  write("in", tangled_ball(28));
   const std::string before = bytes("in.vtu");
-  EXPECT_NE(shell("(ranks 2 in.vtu in.vtu) & sleep 2; kill -9 $(pgrep -P $! | head -n 1); wait $!"), 0);
+  EXPECT_NE(shell("(ranks 2 in.vtu in.vtu) & wait_for_work $!; kill -9 $r; wait $!"), 0);
   EXPECT_TRUE(bytes("in.vtu") == before);
-  for (const auto& entry : fs::directory_iterator(folder))
-    EXPECT_EQ(entry.path().extension() == ".tmp", false) << entry.path();
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3) << "in.vtu, stdout, stderr";
 }
 
 TEST_F(Mpi_program, When_it_is_told_to_end_it_writes_the_best_mesh_so_far)
 {
-  write("in", tangled_ball(8));
+  write("in", tangled_ball(28));
   const std::size_t inverted = statistics("in.vtu").number_of_inverted;
-  const int code = shell("(ranks 2 in.vtu out.vtu) & sleep 2; kill -TERM $(pgrep -P $!); wait $!");
+  const int code = shell("(ranks 2 in.vtu out.vtu) & wait_for_work $!; kill -TERM $(pgrep -P $!); wait $!");
   EXPECT_TRUE(code == 0 || code == 1) << code << bytes("stderr");
   ASSERT_TRUE(exists("out.vtu")) << bytes("stderr");
   EXPECT_NE(bytes("stdout").find("interrupted"), std::string::npos) << bytes("stdout");
@@ -186,10 +189,10 @@ TEST_F(Mpi_program, When_it_is_told_to_end_it_writes_the_best_mesh_so_far)
 
 TEST_F(Mpi_program, When_time_is_over_it_writes_the_best_mesh_so_far)
 {
-  write("in", tangled_ball(8));
+  write("in", tangled_ball(14));
   const int code = run(2, "in.vtu out.vtu --time-limit .5");
   EXPECT_TRUE(code == 0 || code == 1) << bytes("stderr");
-  EXPECT_NE(bytes("stdout").find("the time limit was reached"), std::string::npos) << bytes("stdout");
+  EXPECT_NE(bytes("stdout").find("time limit reached"), std::string::npos) << bytes("stdout");
   EXPECT_TRUE(exists("out.vtu"));
 }
 

@@ -166,7 +166,7 @@ TEST_F(Parts, Hexahedra_that_are_inverted_in_four_parts_at_once_are_untangled)
   const HMO::Status status = CGAL::optimize_hex_mesh_file(file("in.vtu"), file("out.vtu"), division(4));
   EXPECT_GT(status.before.number_of_inverted, 1u);
   EXPECT_EQ(status.after.number_of_invalid, 0u);
-  EXPECT_GT(status.after.minimum, .8);
+  EXPECT_GT(status.after.minimum, .95);
 }
 
 TEST_F(Parts, A_valid_mesh_does_not_get_worse)

@@ -86,7 +86,7 @@ public:
   const T& operator[](std::size_t i) const { return data_[i]; }
 
   // What is mapped need not stay in memory.
-  void let_go() const
+  void release() const
   {
 #ifdef CGAL_HEX_MESH_OPTIMIZATION_CAN_MAP_FILES
     if (is_mapped_)

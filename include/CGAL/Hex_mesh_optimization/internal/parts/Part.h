@@ -20,7 +20,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Face_neighbors.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/Hexahedral_complex.h>
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_mesh.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
 
 #include <algorithm>
@@ -79,11 +79,11 @@ public:
       }
       cells.push_back(cell);
     }
-    is_seam.resize(n);
+    is_shared.resize(n);
     std::vector<char> is_held(n);
     for (std::size_t v = 0; v < n; ++v) {
-      is_seam[v] = count[v] < of_vertices.valence[v];
-      is_held[v] = is_seam[v] || of_vertices.is_fixed[v];
+      is_shared[v] = count[v] < of_vertices.valence[v];
+      is_held[v] = is_shared[v] || of_vertices.is_fixed[v];
     }
     Regions regions;
     Positions start;
@@ -136,7 +136,7 @@ public:
   }
 
   std::vector<Global_index> vertices; // in increasing order
-  std::vector<char> is_seam;          // of those, after run(): hexahedra of other parts have them too
+  std::vector<char> is_shared;        // of those, after run(): hexahedra of other parts have them too
   std::vector<Global_index> moved;    // after run()
   std::vector<Triple> places;         // of those
 

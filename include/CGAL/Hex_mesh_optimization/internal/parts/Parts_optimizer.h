@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
-// Nonlinear Schwarz iteration: in each round the engine improves parts of the mesh apart from each other, which hold the
-// vertices that they share; the parts of the next round overlap where those have met.
+// Nonlinear Schwarz iteration: in each round the engine improves parts of the mesh apart from each other, which hold
+// the vertices that they share; the parts of the next round overlap where those have met.
 
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/enum.h>
@@ -25,10 +25,11 @@
 #include <CGAL/Hex_mesh_optimization/internal/parts/Part.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/Parts_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/Ranks.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_deviation.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_mesh.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_quality.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/cut_in_parts.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/distributed_deviations.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_quality.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/coordinate_bisection.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/smooth_tangled.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/limit_of_held_vertices.h>
 
@@ -61,19 +62,24 @@ public:
 
   Status run()
   {
-    const Spread_quality before(mesh_, mesh_.given);
+    const Distributed_quality before(mesh_, mesh_.given);
     status_.before = before.statistics;
     // as in one piece: what was tangled is brought to its best within its boundary, if that suffices
     const Optimization_parameters parameters;
     const double worth_raising_to = (std::min)(parameters.maximization.floor.hold_limit, chosen_.target_quality);
     Quality_statistics now = before.statistics;
     const bool is_tangled = now.number_of_inverted > 0 || now.minimum < parameters.untangling.untangled;
+    if (is_tangled) {
+      hold_boundary();
+      smooth_tangled(mesh_, is_held_, parameters.untangling.untangled, parts_);
+      was_tangled_ = true;
+    }
     if (is_tangled && limit_of_held_boundary() >= parameters.worth_holding_boundary) {
       holds_boundary_ = true;
       untangle();
       improve();
       holds_boundary_ = false;
-      now = Spread_quality(mesh_, mesh_.points).statistics;
+      now = Distributed_quality(mesh_, mesh_.points).statistics;
     }
     if (!is_tangled || now.minimum < worth_raising_to) {
       untangle();
@@ -94,7 +100,7 @@ private:
   {
     Block_array<char> is_in = mesh_.new_array<char>(mesh_.number_of_own_hexahedra());
     const auto measured = [&] {
-      const Spread_quality quality(mesh_, mesh_.points);
+      const Distributed_quality quality(mesh_, mesh_.points);
       for (std::size_t h = 0; h < is_in.size(); ++h)
         is_in[h] = quality.is_invalid[h];
       return quality.statistics;
@@ -114,8 +120,8 @@ private:
     }
   }
 
-  // No minimum is higher while the boundary, and what is between regions, does not move.
-  double limit_of_held_boundary()
+  // And what is between regions.
+  void hold_boundary()
   {
     const Global_index first = ranks_.first(mesh_.number_of_vertices), last = ranks_.last(mesh_.number_of_vertices);
     for (std::size_t v = 0; v < is_held_.size(); ++v)
@@ -123,8 +129,13 @@ private:
     for (Global_index v : mesh_.boundary_vertices)
       if (v >= first && v < last)
         is_held_[static_cast<std::size_t>(v - first)] = true;
-    const Spread_mesh::Nearby<char> is_held = mesh_.nearby(is_held_);
-    const Spread_mesh::Nearby<Triple> places = mesh_.nearby(mesh_.given);
+  }
+
+  // No minimum is higher while what is held does not move.
+  double limit_of_held_boundary() const
+  {
+    const Distributed_mesh::Nearby<char> is_held = mesh_.nearby(is_held_);
+    const Distributed_mesh::Nearby<Triple> places = mesh_.nearby(mesh_.given);
     double least = 1;
     mesh_.for_own_hexahedra([&](std::size_t h) {
       std::array<char, 8> held;
@@ -135,39 +146,42 @@ private:
     return -ranks_.maximum_of(-least);
   }
 
-  // First all of the mesh; then around what was held so far, and around the worst, until that gains nothing more.
+  // First all of the mesh that can gain; then around what was held so far, and around the worst, until that gains nothing.
   void improve()
   {
     for (std::size_t v = 0; v < is_pending_.size(); ++v)
       is_pending_[v] = true;
     Block_array<char> is_in = mesh_.new_array<char>(mesh_.number_of_own_hexahedra());
     Block_array<float> last = mesh_.new_array<float>(mesh_.number_of_own_hexahedra());
+    Quality_statistics then;
     for (int round = 0; round < parts_.most_improving_rounds && !is_over(); ++round) {
+      const Distributed_quality quality(mesh_, mesh_.points);
+      const Quality_statistics& now = quality.statistics;
+      if (round > 1 &&
+          !(now.minimum > then.minimum + parts_.least_raise || now.average > then.average + parts_.least_raise))
+        break;
+      then = now;
+      // what is far from all that can gain stays, and what is held there is not pending
+      for (std::size_t h = 0; h < is_in.size(); ++h)
+        is_in[h] = quality.qualities[h] < 1 - parts_.least_gain;
+      grow(is_in, parts_.layers - 1);
       bool is_any = false;
       {
-        const Spread_mesh::Nearby<char> pending = mesh_.nearby(is_pending_);
+        const Distributed_mesh::Nearby<char> pending = mesh_.nearby(is_pending_);
         mesh_.for_own_hexahedra([&](std::size_t h) {
-          is_in[h] = false;
-          for (std::uint32_t v : mesh_.hexahedra[h])
-            is_in[h] = is_in[h] || pending[v];
-          is_any = is_any || is_in[h];
-        });
-      }
-      if (round > 0) {
-        const Spread_quality quality(mesh_, mesh_.points);
-        mesh_.for_own_hexahedra([&](std::size_t h) {
-          if (round > 1 && quality.qualities[h] < quality.statistics.minimum + parts_.near_worst &&
-              quality.qualities[h] > last[h] + parts_.least_gain) {
+          const auto& vertices = mesh_.hexahedra[h];
+          is_in[h] = is_in[h] &&
+                     std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return pending[v]; });
+          if (round > 1 && quality.qualities[h] < now.minimum + parts_.near_worst &&
+              quality.qualities[h] > last[h] + parts_.least_gain)
             is_in[h] = true;
-            is_any = true;
-          }
+          is_any = is_any || is_in[h];
           last[h] = quality.qualities[h];
         });
       }
       if (!ranks_.any(is_any))
         break;
-      if (round > 0)
-        grow(is_in, parts_.layers - 1);
+      grow(is_in, round == 0 ? 1 : parts_.layers - 1);
       run_round(is_in, Goal::BEST);
     }
   }
@@ -183,7 +197,7 @@ private:
           of_nearby[v] = of_nearby[v] || is_in[h];
       });
       mesh_.combine(of_nearby, of_vertices, [](char a, char b) { return static_cast<char>(a || b); });
-      const Spread_mesh::Nearby<char> is_reached = mesh_.nearby(of_vertices);
+      const Distributed_mesh::Nearby<char> is_reached = mesh_.nearby(of_vertices);
       mesh_.for_own_hexahedra([&](std::size_t h) {
         for (std::uint32_t v : mesh_.hexahedra[h])
           is_in[h] = is_in[h] || is_reached[v];
@@ -201,12 +215,13 @@ private:
       (std::min)(std::int64_t(parts_.number_of_parts), 1 + size[0] / std::int64_t(parts_.least_size)));
     const bool is_all = goal == Goal::BEST && size[0] == mesh_.number_of_hexahedra;
     const int number = is_all ? parts_.number_of_parts : most;
-    const Block_array<int> part = cut_in_parts(mesh_, number, cut_++, [&](std::size_t h) { return is_in[h] != 0; });
+    const Block_array<int> part = coordinate_bisection(mesh_, number, cut_++,
+                                                       [&](std::size_t h) { return is_in[h] != 0; });
     std::vector<std::int64_t> sizes(number, 0);
     for (std::size_t h = 0; h < part.size(); ++h)
       if (part[h] >= 0)
         ++sizes[part[h]];
-    part.let_go();
+    part.release();
     ranks_.sum(sizes);
     const std::vector<int> rank_of_part = divided_among_ranks(sizes);
     // where there are several ranks, they get all of their parts at once, and need not wait for each other until the end
@@ -243,7 +258,7 @@ private:
                           ranks_.fetch<Triple>(n, mesh_.points, vertices),
                           ranks_.fetch<int>(n, mesh_.valence, vertices),
                           ranks_.fetch<char>(n, holds_boundary_ ? is_held_ : mesh_.is_fixed, vertices)};
-    mesh_.let_go();
+    mesh_.release();
     std::vector<Global_index> moved, free;
     std::vector<Triple> places;
     std::vector<char> off;
@@ -264,8 +279,8 @@ private:
       std::vector<char> is_off(p.vertices.size(), false);
       for (std::size_t v : status.vertices_off_reference)
         is_off[v] = true;
-      for (std::size_t v = 0; v < p.is_seam.size(); ++v)
-        if (!p.is_seam[v]) {
+      for (std::size_t v = 0; v < p.is_shared.size(); ++v)
+        if (!p.is_shared[v]) {
           free.push_back(p.vertices[v]);
           off.push_back(is_off[v]);
         }
@@ -310,6 +325,9 @@ private:
     parameters.maximum_running_time = (std::max)(0., chosen_.maximum_running_time - seconds());
     if (goal == Goal::VALID)
       parameters.target_quality = (std::min)(0., chosen_.target_quality);
+    else if (was_tangled_ && chosen_.method == Method::FULL &&
+             (holds_boundary_ || !std::isfinite(chosen_.maximum_deviation)))
+      parameters.method = Method::MAXIMIZATION; // as in one piece; a bound asks for more
     if (chosen_.on_iteration)
       parameters.on_iteration = [this](const Iteration& of_part) {
         Iteration i = of_part;
@@ -334,14 +352,14 @@ private:
     return is_late_ || is_stopped_;
   }
 
-  void finish(const Spread_quality& before)
+  void finish(const Distributed_quality& before)
   {
     const Optimization_parameters defaults;
     const double bound = chosen_.maximum_deviation;
     const auto deviations = [&](const Block_array<Triple>& places) {
-      return spread_deviations(mesh_, places, bound, defaults.measuring_spacing, defaults.certification);
+      return distributed_deviations(mesh_, places, bound, defaults.measuring_spacing, defaults.certification);
     };
-    Spread_quality after(mesh_, mesh_.points);
+    Distributed_quality after(mesh_, mesh_.points);
     Deviations measured = deviations(mesh_.points);
     const auto excess = [&](const Deviations& d) {
       return std::isfinite(bound) ? (std::max)(0., d.all.certified / bound - 1) : 0.;
@@ -355,18 +373,19 @@ private:
     if (has_moved && (then < now || (then.is_good() && after.statistics.minimum < before.statistics.minimum))) {
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.points[v] = mesh_.given[v];
-      after = Spread_quality(mesh_, mesh_.points);
+      after = Distributed_quality(mesh_, mesh_.points);
       measured = deviations(mesh_.points);
       has_moved = false;
     }
     report(before, after, measured, has_moved);
-    mesh_.let_go();
+    mesh_.release();
     slices_.write_points(ranks_.first(mesh_.number_of_vertices), ranks_.last(mesh_.number_of_vertices),
                          mesh_.points.data());
     status_.total_seconds = seconds();
   }
 
-  void report(const Spread_quality& before, const Spread_quality& after, const Deviations& measured, bool has_moved)
+  void report(const Distributed_quality& before, const Distributed_quality& after, const Deviations& measured,
+              bool has_moved)
   {
     std::vector<std::int64_t> iterations(1, static_cast<std::int64_t>(status_.iterations));
     ranks_.sum(iterations);
@@ -409,11 +428,11 @@ private:
   Ranks& ranks_;
   const Chosen_parameters chosen_;
   const Parts_parameters parts_;
-  Spread_mesh mesh_;
+  Distributed_mesh mesh_;
   Block_array<char> is_pending_; // of the vertices of this rank: held whenever the mesh was improved
   Block_array<char> is_off_;     // of those: do not stand where they are to stand
   Block_array<char> is_held_;    // of those, while the boundary does not move
-  bool holds_boundary_ = false;
+  bool was_tangled_ = false, holds_boundary_ = false;
   int cut_ = 0;
   bool is_stopped_ = false, is_late_ = false;
   Status status_;

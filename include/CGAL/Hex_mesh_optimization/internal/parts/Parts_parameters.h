@@ -33,6 +33,11 @@ struct Parts_parameters
   int most_improving_rounds = 8;
   double near_worst = .02;
   double least_gain = .005;
+  // A round that raises neither the minimum nor the average by more is the last one.
+  double least_raise = 1e-5;
+  // Of the vertices of tangled hexahedra, before there are parts: the most sweeps, and how many in vain are the last ones.
+  int most_sweeps = 30;
+  int patience_of_sweeps = 3;
   std::string folder; // of temporary files, for what need not be in memory; empty: there are none
 };
 

@@ -7,20 +7,20 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_QUALITY_H
-#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_QUALITY_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_QUALITY_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_QUALITY_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
-// The quality of a mesh that is spread over ranks: exact sums, the same whatever the ranks are.
+// The quality of a mesh that is distributed over ranks: exact sums, the same whatever the ranks are.
 
 #include <CGAL/Hex_mesh_optimization/Quality_statistics.h>
 #include <CGAL/Hex_mesh_optimization/Status.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/Block_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/Exact_sum.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_mesh.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/cut_in_parts.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/coordinate_bisection.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
@@ -36,16 +36,16 @@
 
 namespace CGAL::Hex_mesh_optimization::internal {
 
-class Spread_quality
+class Distributed_quality
 {
 public:
   // Of the mesh with its vertices at these places. Collective.
-  Spread_quality(const Spread_mesh& mesh, const Block_array<Triple>& places)
+  Distributed_quality(const Distributed_mesh& mesh, const Block_array<Triple>& places)
     : is_invalid(mesh.new_array<char>(mesh.number_of_own_hexahedra()))
     , qualities(mesh.new_array<float>(mesh.number_of_own_hexahedra()))
     , volumes(mesh.all_labels.size())
   {
-    const Spread_mesh::Nearby<Triple> nearby = mesh.nearby(places);
+    const Distributed_mesh::Nearby<Triple> nearby = mesh.nearby(places);
     Block_array<float> ratios = mesh.new_array<float>(mesh.number_of_own_hexahedra());
     std::vector<std::int64_t> counts(2, 0); // inverted, invalid
     std::vector<double> largest{-1, -1, 0}; // less the minima, the largest edge ratio
@@ -123,4 +123,4 @@ public:
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_QUALITY_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_QUALITY_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_MESH_H
-#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_MESH_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_MESH_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_MESH_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
@@ -48,14 +48,14 @@ using Triple = std::array<double, 3>;
 inline Vector_3 as_vector(const Triple& c) { return Vector_3(c[0], c[1], c[2]); }
 
 // A face of the boundary as the hexahedron has it that comes first.
-struct Spread_face
+struct Distributed_face
 {
   Global_index side;                    // 6 times the hexahedron and the face
   std::array<Global_index, 4> vertices; // counter-clockwise seen from outside
   std::array<int, 2> labels;            // of the hexahedron, and of the one beyond, or Surface_faces::no_label
 };
 
-class Spread_mesh
+class Distributed_mesh
 {
 public:
   // Values of all vertices that hexahedra of this rank have.
@@ -76,7 +76,8 @@ public:
   };
 
   // folder: for what need not be in memory; empty: all is. Throws Input_error; other ranks then wait in vain.
-  Spread_mesh(Mesh_slices& slices, Ranks& its_ranks, std::string folder, const Feature_parameters& feature_parameters)
+  Distributed_mesh(Mesh_slices& slices, Ranks& its_ranks, std::string folder,
+                   const Feature_parameters& feature_parameters)
     : ranks(its_ranks)
     , number_of_vertices(slices.number_of_vertices())
     , number_of_hexahedra(slices.number_of_hexahedra())
@@ -154,18 +155,18 @@ public:
     for (std::size_t begin = 0; begin < hexahedra.size(); begin += at_once) {
       for (std::size_t h = begin; h < (std::min)(hexahedra.size(), begin + at_once); ++h)
         work(h);
-      let_go();
+      release();
     }
   }
 
-  void let_go() const
+  void release() const
   {
-    hexahedra.let_go();
-    given.let_go();
-    points.let_go();
-    labels.let_go();
-    outer_faces.let_go();
-    valence.let_go();
+    hexahedra.release();
+    given.release();
+    points.release();
+    labels.release();
+    outer_faces.release();
+    valence.release();
   }
 
   std::array<Vector_3, 8> corners(const Nearby<Triple>& places, std::size_t own) const
@@ -217,7 +218,7 @@ private:
           is_all_nearby() ? vertices[i]
                           : std::lower_bound(nearby_.begin(), nearby_.end(), vertices[i]) - nearby_.begin());
     });
-    hexahedra.let_go();
+    hexahedra.release();
     if (slices.has_labels()) {
       labels = new_array<int>(size);
       slices.read_labels(first, last, labels.data());
@@ -247,7 +248,7 @@ private:
                             " has a coordinate that is not finite");
       points[v] = given[v];
     }
-    let_go();
+    release();
   }
 
   template <class Take>
@@ -369,12 +370,12 @@ private:
       const int face = static_cast<int>(f.side % 6);
       if (f.beyond == Surface_faces::no_label)
         outer_faces[h] |= static_cast<std::uint8_t>(1 << face);
-      Spread_face own{f.side, {}, {label(h), f.beyond}};
+      Distributed_face own{f.side, {}, {label(h), f.beyond}};
       for (int k = 0; k < 4; ++k)
         own.vertices[k] = vertex(hexahedra[h][hexahedron_faces[face][k]]);
       own_faces_.push_back(own);
     }
-    let_go();
+    release();
   }
 
   Side side_of(const std::array<Global_index, 8>& vertices, std::size_t h, int face) const
@@ -433,15 +434,16 @@ private:
 
   void gather_boundary(const Feature_parameters& feature_parameters)
   {
-    std::vector<Spread_face> all = ranks.gather_values(own_faces_);
-    std::vector<Spread_face>().swap(own_faces_);
+    std::vector<Distributed_face> all = ranks.gather_values(own_faces_);
+    std::vector<Distributed_face>().swap(own_faces_);
     if (all.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the mesh has no boundary: every face belongs to two hexahedra");
-    std::sort(all.begin(), all.end(), [](const Spread_face& a, const Spread_face& b) { return a.side < b.side; });
-    for (const Spread_face& f : all)
+    std::sort(all.begin(), all.end(),
+              [](const Distributed_face& a, const Distributed_face& b) { return a.side < b.side; });
+    for (const Distributed_face& f : all)
       boundary_vertices.insert(boundary_vertices.end(), f.vertices.begin(), f.vertices.end());
     sort_unique(boundary_vertices);
-    for (const Spread_face& f : all) {
+    for (const Distributed_face& f : all) {
       boundary.labels.push_back(f.labels);
       std::array<int, 4> quad;
       for (int k = 0; k < 4; ++k)
@@ -559,9 +561,9 @@ private:
   const std::string folder_;
   std::vector<Global_index> nearby_; // vertices that hexahedra of this rank have; none where all are of this rank
   std::size_t unique_ = std::size_t(1) << 20;
-  std::vector<Spread_face> own_faces_;
+  std::vector<Distributed_face> own_faces_;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_MESH_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_MESH_H

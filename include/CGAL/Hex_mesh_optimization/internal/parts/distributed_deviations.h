@@ -7,12 +7,12 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_DEVIATION_H
-#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_DEVIATION_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_DEVIATIONS_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_DEVIATIONS_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
-// How far the boundary of a mesh that is spread over ranks has gone from where it was. Every rank has all of the boundary,
+// How far the boundary of a mesh that is distributed over ranks has gone from where it was. Every rank has all of the boundary,
 // which is small against the mesh.
 
 #include <CGAL/Hex_mesh_optimization/Deviation.h>
@@ -21,7 +21,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/boundary/boundary_surface.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_mesh.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Triangle_surface.h>
 
 #include <algorithm>
@@ -32,8 +32,8 @@
 namespace CGAL::Hex_mesh_optimization::internal {
 
 // With the vertices at these places; certified if the bound, a length, is finite. spacing: in mean boundary edges. Collective.
-inline Deviations spread_deviations(const Spread_mesh& mesh, const Block_array<Triple>& places, double bound,
-                                    double spacing, const Certification_parameters& certification)
+inline Deviations distributed_deviations(const Distributed_mesh& mesh, const Block_array<Triple>& places, double bound,
+                                         double spacing, const Certification_parameters& certification)
 {
   const auto in_units = [&](const Block_array<Triple>& of_vertices) {
     Positions result;
@@ -69,4 +69,4 @@ inline Deviations spread_deviations(const Spread_mesh& mesh, const Block_array<T
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_SPREAD_DEVIATION_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_DISTRIBUTED_DEVIATIONS_H

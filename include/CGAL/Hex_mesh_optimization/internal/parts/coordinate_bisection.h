@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_CUT_IN_PARTS_H
-#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_CUT_IN_PARTS_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_COORDINATE_BISECTION_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_COORDINATE_BISECTION_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
@@ -18,7 +18,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/Block_array.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/Ranks.h>
-#include <CGAL/Hex_mesh_optimization/internal/parts/Spread_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ namespace CGAL::Hex_mesh_optimization::internal {
 // The value of a given rank in each of several groups: counted digit by digit. value(h, group): of a hexahedron of this rank;
 // the group is -1 where it does not count. Collective.
 template <class Value>
-std::vector<std::uint32_t> ranked_values(const Spread_mesh& mesh, const std::vector<std::int64_t>& wanted_ranks,
+std::vector<std::uint32_t> ranked_values(const Distributed_mesh& mesh, const std::vector<std::int64_t>& wanted_ranks,
                                          const Value& value)
 {
   constexpr int digits = 4, values_of_digit = 256;
@@ -75,12 +75,12 @@ inline double shift_of_cut(int cut) { return 1 + .15 * ((cut + 1) % 3 - 1); }
 
 // Of the hexahedra of this rank; none is -1. is_in: which are to be in a part. Collective. O(hexahedra · log parts).
 template <class Is_in>
-Block_array<int> cut_in_parts(const Spread_mesh& mesh, int number_of_parts, int cut, const Is_in& is_in)
+Block_array<int> coordinate_bisection(const Distributed_mesh& mesh, int number_of_parts, int cut, const Is_in& is_in)
 {
   constexpr double largest_key = 4294967295.;
   Block_array<int> part = mesh.new_array<int>(mesh.number_of_own_hexahedra());
   mesh.for_own_hexahedra([&](std::size_t h) { part[h] = is_in(h) ? 0 : -1; });
-  const Spread_mesh::Nearby<Triple> places = mesh.nearby(mesh.points);
+  const Distributed_mesh::Nearby<Triple> places = mesh.nearby(mesh.points);
   const std::array<Vector_3, 3> directions = directions_of_cut(cut);
   const auto center = [&](std::size_t h) {
     Vector_3 sum = Vector_3::Zero();
@@ -139,10 +139,10 @@ Block_array<int> cut_in_parts(const Spread_mesh& mesh, int number_of_parts, int 
         sizes[n] /= 2;
       }
   }
-  part.let_go();
+  part.release();
   return part;
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_CUT_IN_PARTS_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_PARTS_COORDINATE_BISECTION_H
