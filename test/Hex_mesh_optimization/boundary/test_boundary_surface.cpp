@@ -94,9 +94,9 @@ TEST(Boundary_surface, has_curves_where_sheets_of_regions_meet)
     if (attachment.kind[v] == Vertex_kind::SURFACE) {
       EXPECT_FALSE(is_on_x && is_on_y);
       // the sheet has the vertex
-      double nearest = surface->closest_point(p, Surface_point::no_hint, attachment.sheet[v]).coordinates[0];
+      double nearest = surface->closest_point(p, Surface_point::no_triangle, attachment.sheet[v]).coordinates[0];
       EXPECT_GE(nearest, -1e-12);
-      EXPECT_EQ(surface->closest_point(p, Surface_point::no_hint, attachment.sheet[v]).point, p);
+      EXPECT_EQ(surface->closest_point(p, Surface_point::no_triangle, attachment.sheet[v]).point, p);
     }
     if (is_on_x && is_on_y) {
       EXPECT_NE(attachment.kind[v], Vertex_kind::INTERIOR);

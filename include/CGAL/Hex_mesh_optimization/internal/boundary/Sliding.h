@@ -45,7 +45,7 @@ public:
     , attachment_(attachment)
     , kind_(points.size(), Kind::FREE)
     , is_there_(points.size(), false)
-    , last_triangles_(points.size(), none)
+    , last_triangles_(points.size(), Surface_point::no_triangle)
     , tied_(ties.groups())
     , goes_with_(points.size())
   {
@@ -268,7 +268,6 @@ private:
   };
 
   static constexpr std::size_t searches_of_range = 64; // a search takes some microseconds
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
   static constexpr double arrival = 1e-11;             // mean boundary edges: what rounding leaves
 
   // Of those that are tied, the one with the least freedom comes first and alone has a place; the others go with it.
@@ -335,11 +334,8 @@ private:
   // Searched for around the last one, where that is near.
   Surface_point foot(std::size_t v, const Vector_3& p) const
   {
-    std::size_t& last = last_triangles_[v];
-    const bool is_near = last != none && surface_.is_near(p, surface_.closest_point_of(last, p));
-    const Surface_point q = is_near ? surface_.closest_point_near(p, last)
-                                    : surface_.closest_point(p, Surface_point::no_hint, attachment_.sheet[v]);
-    last = q.triangle;
+    const Surface_point q = surface_.closest_point(p, last_triangles_[v], attachment_.sheet[v]);
+    last_triangles_[v] = q.triangle;
     return q;
   }
 
@@ -352,7 +348,7 @@ private:
   std::vector<Release> released_; // those that were to
   std::vector<char> is_there_;    // of each vertex
   bool are_all_called_ = false;
-  mutable std::vector<std::size_t> last_triangles_; // of the feet of vertices, or none
+  mutable std::vector<std::size_t> last_triangles_; // of the feet of vertices
   std::vector<std::vector<int>> tied_;     // vertices that move together
   std::vector<int> goes_with_;             // each vertex, itself or the first of those that it is tied to
 };

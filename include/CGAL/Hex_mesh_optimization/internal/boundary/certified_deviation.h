@@ -191,16 +191,16 @@ public:
       for (int v : from_.triangles[t])
         triangle_of_vertex[v] = t;
     note_all(found, from_.triangles.size(), [&](std::size_t begin, std::size_t end, Found& part) {
-      std::size_t hint = Surface_point::no_hint; // the next triangle is not far
+      std::size_t near = Surface_point::no_triangle; // the next one is not far
       for (std::size_t t = begin; t < end; ++t) {
-        foot_[t] = search(polygon(t).center(), hint, from_.sheet(t), part);
-        hint = foot_[t].hint;
+        foot_[t] = search(polygon(t).center(), near, from_.sheet(t), part);
+        near = foot_[t].triangle;
       }
     });
     note_all(found, from_.points.size(), [&](std::size_t begin, std::size_t end, Found& part) {
       for (std::size_t v = begin; v < end; ++v)
         if (triangle_of_vertex[v] != none)
-          search(from_.points[v], foot_[triangle_of_vertex[v]].hint, from_.sheet(triangle_of_vertex[v]), part);
+          search(from_.points[v], foot_[triangle_of_vertex[v]].triangle, from_.sheet(triangle_of_vertex[v]), part);
     });
   }
 
@@ -255,7 +255,7 @@ public:
           const bool is_open = is_left_open(parameters.pieces) && is_left_open(many * parameters.pieces);
           if (is_open) // a peak is where parts meet: their centers may not be beyond, however small they are
             for (const Vector_3& corner : heap.front().polygon)
-              search(corner, heap.front().foot.hint, from_.sheet(t), here);
+              search(corner, heap.front().foot.triangle, from_.sheet(t), here);
           if (here.distance > (is_open ? 1 - parameters.tolerance : 1) * most)
             places.push_back({t, here.where});
         }
@@ -309,9 +309,9 @@ private:
     return Convex_polygon(from_.corner(t, 0), from_.corner(t, 1), from_.corner(t, 2));
   }
 
-  Surface_point search(const Vector_3& p, std::size_t hint, int sheet, Found& found) const
+  Surface_point search(const Vector_3& p, std::size_t near, int sheet, Found& found) const
   {
-    Surface_point foot = to_.closest_point(p, hint, sheet);
+    Surface_point foot = to_.closest_point(p, near, sheet);
     found.note(to_.way(p, foot).norm(), p);
     if (const int at_rim = to_.rims.triangle_at(foot); at_rim != Rims::none)
       foot.triangle = at_rim; // has the side that what is beyond is compared with
@@ -372,7 +372,7 @@ private:
     const auto add = [&](const Convex_polygon& polygon, const Piece& parent) {
       Piece piece{polygon, (std::min)(parent.bound, distance(polygon, parent.foot.triangle)), parent.foot};
       if (piece.bound > threshold(target, tolerance, found)) {
-        piece.foot = search(polygon.center(), parent.foot.hint, sheet, found);
+        piece.foot = search(polygon.center(), parent.foot.triangle, sheet, found);
         if (piece.foot.triangle != parent.foot.triangle)
           piece.bound = (std::min)(piece.bound, distance(polygon, piece.foot.triangle));
       }
@@ -435,7 +435,7 @@ private:
     const std::size_t before = piece.foot.triangle;
     for (const Vector_3& corner : piece.polygon)
       if (distance(corner, before) > threshold(target, tolerance, found)) {
-        const Surface_point foot = search(corner, piece.foot.hint, sheet, found);
+        const Surface_point foot = search(corner, piece.foot.triangle, sheet, found);
         piece.bound = (std::min)(piece.bound, distance(piece.polygon, foot.triangle));
       }
     if (piece.bound <= threshold(target, tolerance, found))

@@ -70,17 +70,8 @@ inline void extend_deviations(const Triangle_surface& from, const Triangle_surfa
     [&](std::size_t begin, std::size_t end) {
       Of_sheets part(from.number_of_sheets());
       Surface_point foot{};
-      int sheet = -1; // for which it was found
-      std::size_t hint = Surface_point::no_hint;
       for (std::size_t i = begin; i < end; ++i) {
-        // the next sample is not far
-        if (samples[i].sheet == sheet && to.is_near(samples[i].point, foot))
-          foot = to.closest_point_near(samples[i].point, foot.triangle);
-        else {
-          foot = to.closest_point(samples[i].point, hint, samples[i].sheet);
-          hint = foot.hint;
-        }
-        sheet = samples[i].sheet;
+        foot = to.closest_point(samples[i].point, foot.triangle, samples[i].sheet); // the next sample is not far
         const double distance = to.way(samples[i].point, foot).norm();
         part[samples[i].sheet].add({samples[i].area * distance, samples[i].area, distance});
       }

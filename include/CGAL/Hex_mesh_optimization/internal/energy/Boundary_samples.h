@@ -160,44 +160,25 @@ public:
     , has_interface_(std::any_of(faces.labels.begin(), faces.labels.end(),
                                  [](const std::array<int, 2>& labels) { return labels[1] != Surface_faces::no_label; }))
     , attachment_(attachment)
+    , is_held_(!has_tolerance && !is_bounded() && !may_move(faces, attachment))
     , edge_(mean_lengths(complex, faces_, lengths))
     , thickness_(thicknesses(complex, lengths))
-    , own_count_(add_samples(complex))
+    , own_count_(is_held_ ? 0 : add_samples(complex))
     , targets_(surface, own_count_)
     , reference_links_(faces_, surface, parameters.reference_spacing, parameters.crest_spacing,
                        this->has_tolerance() ? parameters.crest_width : 0)
     , curve_links_(complex, faces_, surface, attachment, parameters.reference_spacing)
   {}
 
+  // Whether no vertex of the faces can move, and nothing asks how far off they are: then there are no samples.
+  bool is_held() const { return is_held_; }
+
   // Finds the targets of all samples from the present positions. What has hardly moved keeps its own. tightness: with
   // which the boundary is attached.
   void update(const Positions& points, double tightness)
   {
-    if (is_held_away_.empty())
-      find_held_away(points);
-    for_each(
-      own_count_,
-      [&](std::size_t i) {
-        const Vector_3 p = samples_[i].place(points);
-        if (targets_.has_moved(i, p, parameters_.still_distance * samples_[i].scale))
-          aim(i, p);
-      },
-      searches_of_range);
-    const std::vector<Reference_links::Link>& links = reference_links_.update(points, parameters_.still_distance);
-    const bool have_come = link_count_ != links.size();
-    link_count_ = links.size();
-    samples_.resize(own_count_ + link_count_ + curve_links_.size());
-    for_each(links.size(), [&](std::size_t i) {
-      if (links[i].is_new || have_come)
-        follow(links[i], samples_[own_count_ + i]);
-    });
-    for_each(
-      curve_links_.size(),
-      [&](std::size_t i) { follow(curve_links_.link(i, points), points, samples_[own_count_ + links.size() + i]); },
-      curve_searches_of_range);
-    if (is_bounded())
-      bound(points, tightness);
-    ease_held_away();
+    if (!is_held_)
+      find_targets(points, tightness);
     of_face_ = Grouped_array(
       faces_.quads.size(), samples_.size(), [this](std::size_t i) { return samples_[i].face; },
       [](std::size_t i) { return static_cast<int>(i); });
@@ -277,6 +258,7 @@ public:
   bool is_closely_bounded() const { return maximum_deviation_ < parameters_.tolerance; }
   // Whether there is a reference that is not the mesh's own boundary, and not every vertex has to be on it.
   bool has_reference_of_its_own() const { return std::isfinite(tolerance_); }
+  bool has_interface() const { return has_interface_; }
   // Whether the distances of some samples are bounded: those of interfaces are.
   bool is_bounded() const { return has_interface_ || std::isfinite(maximum_deviation_); }
 
@@ -307,15 +289,12 @@ public:
     std::vector<char> leaves(samples_.size(), false);
     for_each(samples_.size(), [&](std::size_t i) {
       const Boundary_sample& s = samples_[i];
-      const double now = s.offset(points).norm(),
+      const double now = s.offset(points).norm(), then = s.offset(reached).norm(),
                    most = parameters_.most_of_bound * (std::max)(s.bound, parameters_.most_growth * now);
-      double then = s.offset(reached).norm();
       // only the way of what moves so far has to be looked at more closely
-      if (s.kind == Vertex_kind::SURFACE && then <= most && now + (s.place(reached) - s.place(points)).norm() > most)
-        then = (std::max)(then,
-                          distance(i, std::array<Triangle_indices, 1>{{{s.vertices[0], s.vertices[1], s.vertices[2]}}},
-                                   reached));
-      leaves[i] = then > now && then > most;
+      const bool may_turn = s.kind == Vertex_kind::SURFACE &&
+                            now + (s.place(reached) - s.place(points)).norm() > most;
+      leaves[i] = then > most || (may_turn && !is_within(i, reached, most));
     });
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (leaves[i])
@@ -341,6 +320,44 @@ public:
   }
 
 private:
+  void find_targets(const Positions& points, double tightness)
+  {
+    if (is_held_away_.empty())
+      find_held_away(points);
+    for_each(
+      own_count_,
+      [&](std::size_t i) {
+        const Vector_3 p = samples_[i].place(points);
+        if (targets_.has_moved(i, p, parameters_.still_distance * samples_[i].scale))
+          aim(i, p);
+      },
+      searches_of_range);
+    const std::vector<Reference_links::Link>& links = reference_links_.update(points, parameters_.still_distance);
+    const bool have_come = link_count_ != links.size();
+    link_count_ = links.size();
+    samples_.resize(own_count_ + link_count_ + curve_links_.size());
+    for_each(links.size(), [&](std::size_t i) {
+      if (links[i].is_new || have_come)
+        follow(links[i], samples_[own_count_ + i]);
+    });
+    for_each(
+      curve_links_.size(),
+      [&](std::size_t i) { follow(curve_links_.link(i, points), points, samples_[own_count_ + links.size() + i]); },
+      curve_searches_of_range);
+    if (is_bounded())
+      bound(points, tightness);
+    ease_held_away();
+  }
+
+  // Whether the distance of sample i, which is on the surface, is no more than that.
+  bool is_within(std::size_t i, const Positions& points, double most)
+  {
+    const Boundary_sample& s = samples_[i];
+    if (i < own_count_)
+      return targets_.is_within(i, s.place(points), faces_.sheet(s.face), most);
+    return distance(i, std::array<Triangle_indices, 1>{{{s.vertices[0], s.vertices[1], s.vertices[2]}}}, points) <= most;
+  }
+
   // How far sample i is from what it is attached to, where the target that it has tells less than that: the surface, or
   // the curve, may turn on the way. triangles: among which a sample of the reference looks for the nearest.
   template <class Triangles>
@@ -372,6 +389,13 @@ private:
 
   // A search takes some microseconds, one along a curve more.
   static constexpr std::size_t searches_of_range = 256, curve_searches_of_range = 64;
+
+  static bool may_move(const Surface_faces& faces, const Boundary_attachment& attachment)
+  {
+    return std::any_of(faces.vertices.begin(), faces.vertices.end(), [&](const Surface_faces::Vertex& v) {
+      return attachment.kind[v.vertex] != Vertex_kind::FIXED;
+    });
+  }
 
   // Of the edges of the faces around each vertex.
   static std::vector<double> mean_lengths(const Hexahedral_complex& complex, const Surface_faces& faces,
@@ -538,7 +562,7 @@ private:
       if (attachment_.kind[v.vertex] == Vertex_kind::FIXED) {
         const Vector_3& p = points[v.vertex];
         const int sheet = faces_.sheet(v.face);
-        const Surface_point foot = surface_.closest_point(p, Surface_point::no_hint, sheet);
+        const Surface_point foot = surface_.closest_point(p, Surface_point::no_triangle, sheet);
         if (surface_.way(p, foot).norm() > tolerated(v.face, scale_on_surface(v.face, edge_[v.vertex])))
           away.push_back({v.vertex, sheet});
       }
@@ -598,6 +622,7 @@ private:
   const Reference_surface& surface_;
   const bool has_interface_;
   const Boundary_attachment& attachment_;
+  const bool is_held_;
   const std::vector<double> edge_;      // local length, of each vertex of the faces
   const std::vector<double> thickness_; // of each face
   std::vector<Boundary_sample> samples_;

@@ -330,7 +330,7 @@ private:
     double sum = 0;
     for (std::size_t v = 0; v < places.size(); ++v)
       if (mesh.complex.is_on_boundary[v])
-        sum += (surface->closest_point(places[v], Surface_point::no_hint, 0).point - places[v]).norm();
+        sum += (surface->closest_point(places[v], Surface_point::no_triangle, 0).point - places[v]).norm();
     return sum;
   }
 
@@ -338,7 +338,7 @@ private:
   {
     for (std::size_t v = 0; reference_is_given && v < points.size(); ++v)
       if (mesh.complex.is_on_boundary[v]) {
-        const Surface_point foot = surface->closest_point(points[v], Surface_point::no_hint, attachment.sheet[v]);
+        const Surface_point foot = surface->closest_point(points[v], Surface_point::no_triangle, attachment.sheet[v]);
         if (surface->way(points[v], foot).norm() > tolerance)
           return false;
       }

@@ -47,8 +47,8 @@ public:
 
   struct Departure
   {
-    Vector_3 from, way;                        // to `from`, from the closest point of the curve or the surface
-    std::size_t hint = Surface_point::no_hint; // of that
+    Vector_3 from, way; // to `from`, from the closest point of the curve or the surface
+    std::size_t triangle = Surface_point::no_triangle; // of that
   };
 
   Departure departure(int v, const Vector_3& from) const
@@ -57,8 +57,8 @@ public:
       return {from, from - on_curve(v, from)};
     if (attachment_.kind[v] != Vertex_kind::SURFACE)
       return {from, Vector_3::Zero()};
-    const Surface_point foot = on_surface(v, from, Surface_point::no_hint);
-    return {from, from - foot.point, foot.hint};
+    const Surface_point foot = on_surface(v, from, Surface_point::no_triangle);
+    return {from, from - foot.point, foot.triangle};
   }
 
   // Along its curve or the surface, and as far from it as before: steps in other directions soon leave the bound.
@@ -68,7 +68,7 @@ public:
     case Vertex_kind::FEATURE:
       return on_curve(v, to) + departure.way;
     case Vertex_kind::SURFACE:
-      return on_surface(v, to, departure.hint).point + departure.way;
+      return on_surface(v, to, departure.triangle).point + departure.way;
     default:
       return sliding_.reached(v, departure.from, to);
     }
@@ -90,9 +90,9 @@ private:
     return surface_.curves[attachment_.curve[v]]->closest_point(p).point;
   }
 
-  Surface_point on_surface(int v, const Vector_3& p, std::size_t hint) const
+  Surface_point on_surface(int v, const Vector_3& p, std::size_t near) const
   {
-    return surface_.closest_point(p, hint, attachment_.sheet[v]);
+    return surface_.closest_point(p, near, attachment_.sheet[v]);
   }
 
   const Reference_surface& surface_;

@@ -216,9 +216,9 @@ private:
         const int sheet = (std::max)(0, sheet_between(region_[side / 6], region_beyond(side)));
         Vector_3 center = Vector_3::Zero();
         for (int v : q)
-          center += partition_.surface.closest_point(mesh_.points[v], Surface_point::no_hint, sheet).point / 4;
+          center += partition_.surface.closest_point(mesh_.points[v], Surface_point::no_triangle, sheet).point / 4;
         set_label(side, partition_.patch_of_triangle(
-                          partition_.surface.closest_point(center, Surface_point::no_hint, sheet).triangle));
+                          partition_.surface.closest_point(center, Surface_point::no_triangle, sheet).triangle));
       }
     constexpr int most_rounds = 20;
     bool any = true;

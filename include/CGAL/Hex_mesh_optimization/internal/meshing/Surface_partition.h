@@ -102,11 +102,11 @@ public:
   // Of the sheet of a patch.
   Vector_3 closest_point(int patch, const Vector_3& p) const
   {
-    return surface.closest_point(p, Surface_point::no_hint, sheet_of_patch_[patch]).point;
+    return surface.closest_point(p, Surface_point::no_triangle, sheet_of_patch_[patch]).point;
   }
   Foot_point foot_point(int patch, const Vector_3& p) const
   {
-    return surface.foot_point(p, Surface_point::no_hint, sheet_of_patch_[patch]);
+    return surface.foot_point(p, Surface_point::no_triangle, sheet_of_patch_[patch]);
   }
 
   const Reference_surface surface;

@@ -106,7 +106,7 @@ private:
       points.size(),
       [&](std::size_t v) {
         if (is_smooth(static_cast<int>(v)))
-          feet_[v] = surface_.foot_point(points[v], feet_[v].hint, attachment_.sheet[v]);
+          feet_[v] = surface_.foot_point(points[v], feet_[v].triangle, attachment_.sheet[v]);
       },
       64);
     const double worst_cosine = local_step(points, maximizing);

@@ -100,7 +100,7 @@ private:
     case Vertex_kind::FEATURE:
       return surface_.curves[attachment_.curve[v]]->closest_point(p).point;
     case Vertex_kind::SURFACE:
-      return surface_.closest_point(p, Surface_point::no_hint, attachment_.sheet[v]).point;
+      return surface_.closest_point(p, Surface_point::no_triangle, attachment_.sheet[v]).point;
     default:
       return p;
     }

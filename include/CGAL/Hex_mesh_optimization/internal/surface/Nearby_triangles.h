@@ -98,12 +98,15 @@ public:
     return false;
   }
 
-  // As above, but lists the triangles anew where that is needed; nothing if there are too many. before: a triangle of
-  // the sheet that is searched, at best that which was the closest to where the point came from.
+  // As above, but lists the triangles anew where that is needed and p is not far from where it was asked for the last time: a
+  // list pays when it is used again. Nothing otherwise, or if there are too many. before: a triangle of the sheet that is
+  // searched, at best that which was the closest to where the point came from.
   std::optional<Surface_point> closest(std::size_t i, const Vector_3& p, std::size_t before,
                                        const Positions& triangle_points, const Triangle_surface& surface, double moved)
   {
     std::optional<Surface_point> q = closest(i, p, triangle_points, surface.triangles, moved);
+    if (!q && !has_stayed(i, p))
+      return q;
     if (!q && list(i, p, (closest_point_of_triangle(p, before, triangle_points, surface.triangles).point - p).norm(),
                    surface, surface.sheet(before)))
       q = closest(i, p, triangle_points, surface.triangles, moved);
@@ -111,11 +114,21 @@ public:
   }
 
 private:
+  bool has_stayed(std::size_t i, const Vector_3& p)
+  {
+    List& list = lists_[i];
+    if ((p - list.center).squaredNorm() <= margin * margin)
+      return true;
+    list.center = p;
+    list.size = 0;
+    return false;
+  }
+
   static constexpr int capacity = 16; // about what can be tried in the time of a search
 
   struct List
   {
-    Vector_3 center = Vector_3::Zero();
+    Vector_3 center = Vector_3::Constant(std::numeric_limits<double>::infinity());
     double reach = 0; // nothing is known beyond
     int size = 0;
     bool is_crowded = false;

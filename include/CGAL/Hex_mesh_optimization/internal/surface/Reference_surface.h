@@ -64,10 +64,10 @@ public:
     return normals_.at(triangle, coordinates);
   }
 
-  // hint, sheet: as for closest_point()
-  Foot_point foot_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint, int sheet = 0) const
+  // near, sheet: as for closest_point()
+  Foot_point foot_point(const Vector_3& query, std::size_t near = Surface_point::no_triangle, int sheet = 0) const
   {
-    const Surface_point q = closest_point(query, hint, sheet);
+    const Surface_point q = closest_point(query, near, sheet);
     return {q, normal(q.triangle, q.coordinates)};
   }
 

@@ -23,12 +23,11 @@ namespace CGAL::Hex_mesh_optimization::internal {
 
 struct Surface_point
 {
-  static constexpr std::size_t no_hint = static_cast<std::size_t>(-1);
+  static constexpr std::size_t no_triangle = static_cast<std::size_t>(-1);
 
   Vector_3 point = Vector_3::Zero();
   std::array<double, 3> coordinates{}; // barycentric, in the triangle
-  std::size_t triangle = 0;
-  std::size_t hint = no_hint; // for a search nearby
+  std::size_t triangle = no_triangle;
 };
 
 } // namespace CGAL::Hex_mesh_optimization::internal

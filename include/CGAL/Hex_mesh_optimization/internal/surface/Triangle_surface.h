@@ -58,8 +58,11 @@ public:
       std::sort(index_.begin(), index_.end(),
                 [&](std::size_t a, std::size_t b) { return sheet(a) < sheet(b) || (sheet(a) == sheet(b) && a < b); });
     soup_.reserve(index_.size());
-    for (std::size_t t : index_)
+    places_.resize(triangles.size(), nowhere);
+    for (std::size_t t : index_) {
+      places_[t] = soup_.size();
       soup_.push_back(triangle(points, triangles[t]));
+    }
     const int count = sheets.empty() ? 1 : 1 + *std::max_element(sheets.begin(), sheets.end());
     sheets_.resize(count);
     for (std::size_t i = 0; i < index_.size(); ++i)
@@ -88,51 +91,19 @@ public:
   int sheet(std::size_t triangle) const { return sheets.empty() ? 0 : sheets[triangle]; }
 
   // In a sheet; if nothing of that has an area, in one that has. The surface must not be empty.
-  // hint: that of an earlier result nearby; it saves time, whatever it is. The first search without
+  // near: a triangle, as that of an earlier result nearby; it saves time, whatever it is. The first search without
   // one takes much longer than the next ones.
-  Surface_point closest_point(const Vector_3& query, std::size_t hint = Surface_point::no_hint, int sheet = 0) const
+  Surface_point closest_point(const Vector_3& query, std::size_t near = Surface_point::no_triangle, int sheet = 0) const
   {
     const Sheet& s = searched(sheet);
     const aabb::Kernel::Point_3 q = aabb::point(query);
-    const auto found = s.has(hint) ? s.tree->closest_point_and_primitive(
-                                       q, {aabb::Kernel().construct_projected_point_3_object()(soup_[hint], q),
-                                           soup_.begin() + hint})
-                                   : s.tree->closest_point_and_primitive(q);
-    return surface_point(found);
-  }
-
-  // Whether a point is no farther from its foot, or from that of another query, than the triangle there is long.
-  bool is_near(const Vector_3& query, const Surface_point& foot) const
-  {
-    const Vector_3 &a = corner(foot.triangle, 0), &b = corner(foot.triangle, 1), &c = corner(foot.triangle, 2);
-    return (query - foot.point).squaredNorm() <
-           (std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  }
-
-  // Of one triangle with an area.
-  Surface_point closest_point_of(std::size_t triangle, const Vector_3& query) const
-  {
-    return closest_point_of_triangle(query, triangle, points, triangles);
-  }
-
-  // In the sheet of a triangle with an area. It takes a third of the time where the triangle is_near(): a box of the size of
-  // the distance holds few others.
-  Surface_point closest_point_near(const Vector_3& query, std::size_t triangle) const
-  {
-    Surface_point best = closest_point_of_triangle(query, triangle, points, triangles);
-    double least = (best.point - query).squaredNorm();
-    for_triangles_near(
-      query, std::sqrt(least),
-      [&](std::size_t t) {
-        const Surface_point candidate = closest_point_of_triangle(query, t, points, triangles);
-        const double square = (candidate.point - query).squaredNorm();
-        if (square < least) {
-          least = square;
-          best = candidate;
-        }
-      },
-      this->sheet(triangle));
-    return best;
+    if (near >= places_.size() || !s.has(places_[near]))
+      return surface_point(s.tree->closest_point_and_primitive(q));
+    const Surface_point bound = closest_point_of_triangle(query, near, points, triangles);
+    if (is_near(query, bound))
+      return closest_point_in_box(query, bound, s);
+    return surface_point(
+      s.tree->closest_point_and_primitive(q, {aabb::point(bound.point), soup_.begin() + places_[near]}));
   }
 
   // The point of a sheet closest to the query, if it is closer than the given one.
@@ -152,14 +123,7 @@ public:
   template <class Visit>
   void for_triangles_near(const Vector_3& center, double radius, const Visit& visit, int sheet = 0) const
   {
-    const Vector_3 low = center.array() - radius, high = center.array() + radius;
-    const CGAL::Bbox_3 box(low[0], low[1], low[2], high[0], high[1], high[2]);
-    const auto visit_primitive = [&](const aabb::Triangle_iterator& triangle) {
-      if (CGAL::do_overlap(box, triangle->bbox()))
-        visit(index_[triangle - soup_.begin()]);
-    };
-    aabb::Box_traversal<decltype(visit_primitive)> traversal{visit_primitive};
-    sheets_[sheet].tree->traversal(box, traversal);
+    for_triangles_near(center, radius, visit, sheets_[sheet]);
   }
 
   // Of the way from its foot, a closest point, to the query what counts: all of it, but where the surface goes on beyond a
@@ -193,6 +157,8 @@ public:
 private:
   using Tree = CGAL::AABB_tree<aabb::Triangle_traits>;
 
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
   struct Sheet
   {
     std::size_t begin = 0, size = 0; // in the soup
@@ -200,6 +166,47 @@ private:
 
     bool has(std::size_t place) const { return place >= begin && place - begin < size; }
   };
+
+  template <class Visit>
+  void for_triangles_near(const Vector_3& center, double radius, const Visit& visit, const Sheet& sheet) const
+  {
+    const Vector_3 low = center.array() - radius, high = center.array() + radius;
+    const CGAL::Bbox_3 box(low[0], low[1], low[2], high[0], high[1], high[2]);
+    const auto visit_primitive = [&](const aabb::Triangle_iterator& triangle) {
+      if (CGAL::do_overlap(box, triangle->bbox()))
+        visit(index_[triangle - soup_.begin()]);
+    };
+    aabb::Box_traversal<decltype(visit_primitive)> traversal{visit_primitive};
+    sheet.tree->traversal(box, traversal);
+  }
+
+  // Whether a point is no farther from a point of a triangle than that is long.
+  bool is_near(const Vector_3& query, const Surface_point& foot) const
+  {
+    const Vector_3 &a = corner(foot.triangle, 0), &b = corner(foot.triangle, 1), &c = corner(foot.triangle, 2);
+    return (query - foot.point).squaredNorm() <
+           (std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  }
+
+  // Searches a box of the size of the distance to a point of the sheet. It takes a third of the time of CGAL's search where
+  // that is near: the box holds few other triangles.
+  Surface_point closest_point_in_box(const Vector_3& query, const Surface_point& bound, const Sheet& sheet) const
+  {
+    Surface_point best = bound;
+    double least = (best.point - query).squaredNorm();
+    for_triangles_near(
+      query, std::sqrt(least),
+      [&](std::size_t t) {
+        const Surface_point candidate = closest_point_of_triangle(query, t, points, triangles);
+        const double square = (candidate.point - query).squaredNorm();
+        if (square < least) {
+          least = square;
+          best = candidate;
+        }
+      },
+      sheet);
+    return best;
+  }
 
   const Sheet& searched(int sheet) const
   {
@@ -215,16 +222,17 @@ private:
 
   Surface_point surface_point(const std::pair<aabb::Kernel::Point_3, aabb::Triangle_iterator>& found) const
   {
-    const std::size_t place = found.second - soup_.begin(), t = index_[place];
+    const std::size_t t = index_[found.second - soup_.begin()];
     const Vector_3 point = aabb::vector(found.first);
     const Vector_3 u = corner(t, 1) - corner(t, 0), v = corner(t, 2) - corner(t, 0), w = point - corner(t, 0);
     const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
     const double b = (vv * u.dot(w) - uv * v.dot(w)) / determinant, c = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
-    return {point, {1 - b - c, b, c}, t, place};
+    return {point, {1 - b - c, b, c}, t};
   }
 
   std::vector<aabb::Kernel::Triangle_3> soup_; // sheet by sheet, without the degenerate triangles: they have no normal
   std::vector<std::size_t> index_;             // of each, in triangles
+  std::vector<std::size_t> places_;            // of the triangles, in the soup
   std::vector<Sheet> sheets_;
 };
 

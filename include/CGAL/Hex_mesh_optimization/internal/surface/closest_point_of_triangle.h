@@ -80,7 +80,7 @@ inline Surface_point closest_point_of_triangle(const Vector_3& p, std::size_t tr
   const Vector_3 &a = points[triangles[triangle][0]], &b = points[triangles[triangle][1]],
                  &c = points[triangles[triangle][2]];
   const std::array<double, 3> w = closest_point_of_triangle(p, a, b, c);
-  return {w[0] * a + w[1] * b + w[2] * c, w, triangle, Surface_point::no_hint};
+  return {w[0] * a + w[1] * b + w[2] * c, w, triangle};
 }
 
 } // namespace CGAL::Hex_mesh_optimization::internal
