@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -57,7 +58,7 @@ TEST_P(Interior_point_maximization_of_families, no_step_loses_the_minimum_or_val
     const Mesh_quality before(s.complex, s.points);
     double least = before.minimum;
     Run_control control;
-    control.on_state = [&](const Positions&, const Mesh_quality& now) {
+    control.on_state = [&](const Positions&, const Mesh_quality& now, std::optional<double>) {
       EXPECT_EQ(now.invalid, 0u);
       EXPECT_GE(now.minimum, least);
       least = now.minimum;

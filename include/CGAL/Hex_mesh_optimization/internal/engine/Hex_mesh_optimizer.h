@@ -20,7 +20,6 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Surface_faces.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/boundary/certified_deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/deviation.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/limit_of_held_boundary.h>
 #include <CGAL/Hex_mesh_optimization/internal/energy/Boundary_energy.h>
@@ -28,6 +27,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/energy/Distance_energy.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Sliding.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Checked_mesh.h>
+#include <CGAL/Hex_mesh_optimization/internal/engine/Judge.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Model.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Reference_input.h>
@@ -70,33 +70,38 @@ public:
     , mesh_(points, hexahedra, regions)
     , model_(mesh_, reference, is_frozen, parameters_)
     , report_(mesh_, model_, parameters_)
-    , bound_(parameters_.maximum_deviation / model_.unit)
+    , judge_(mesh_, model_, parameters_)
+    , bound_(bound_asked_for())
   {}
 
   // Optimizes, one attempt after the other. positions() are then the best found.
   Status run()
   {
-    control_.on_state = [this](const Positions& points, const Mesh_quality& quality) {
-      return incumbent(points, quality);
+    control_.on_state = [this](const Positions& points, const Mesh_quality& quality, std::optional<double> excess) {
+      return incumbent(points, quality, is_as_asked_for() ? excess : std::nullopt);
     };
-    incumbent(model_.points, Mesh_quality(mesh_.complex, model_.points));
-    Reached best{model_.points, Stage_end::CONVERGED};
+    State best{judge_.judged(model_.points)};
+    incumbent(best.points, best.quality, best.standing.excess);
+    came_in_good_ = best.standing.is_good();
     for (const Attempt& attempt : attempts())
       if (!control_.check_time() && attempt.is_needed(best)) {
         const double begun = control_.seconds();
         const std::size_t iterations = control_.iterations;
-        Reached reached = attempt.run(best);
+        const Reached result = attempt.run(best);
         attach(model_.attachment, false);
+        State reached{judge_.judged(result.points), result.end, result.is_maximized};
         const bool is_taken = attempt.accepts(reached, best);
-        const Mesh_quality quality(mesh_.complex, reached.points);
         report_.status.attempts.push_back({attempt.name, is_taken, control_.iterations - iterations,
-                                           control_.seconds() - begun, quality.inverted, quality.minimum,
-                                           quality.average});
+                                           control_.seconds() - begun, reached.quality.inverted,
+                                           reached.quality.minimum, reached.quality.average});
         if (is_taken)
           best = std::move(reached);
       }
-    if (control_.is_stopped() && is_better(incumbent_.points, best.points))
-      best.points = incumbent_.points;
+    if (control_.is_stopped()) {
+      Judge::Judged shown = judge_.judged(incumbent_.points);
+      if (judge_.is_better(shown, best))
+        static_cast<Judge::Judged&>(best) = std::move(shown);
+    }
     return finish(best);
   }
 
@@ -111,69 +116,73 @@ private:
     bool is_maximized = false;
   };
 
+  struct State : Judge::Judged
+  {
+    Stage_end end = Stage_end::CONVERGED;
+    bool is_maximized = false;
+  };
+
   // One way from the best state so far to a better one.
   struct Attempt
   {
     const char* name; // in the status
-    std::function<bool(const Reached& best)> is_needed;
-    std::function<Reached(const Reached& best)> run;
-    std::function<bool(const Reached& reached, const Reached& best)> accepts;
+    std::function<bool(const State& best)> is_needed;
+    std::function<Reached(const State& best)> run;
+    std::function<bool(const State& reached, const State& best)> accepts;
   };
 
   // In the order in which they are made. What moves least comes first: what is sound stays where it is, unless that fails.
   std::vector<Attempt> attempts()
   {
     using First = Untangling::Attempt;
-    const auto always = [](const Reached&) { return true; };
-    const auto whatever = [](const Reached&, const Reached&) { return true; };
-    const auto if_better = [this](const Reached& a, const Reached& b) { return is_better(a.points, b.points); };
-    const auto is_inverted = [this](const Reached& best) { return number_of_inverted(best.points) > 0; };
-    const Attempt last_untangling{"untangling", [this](const Reached& best) { return is_tangled(best.points); },
-                                  [this](const Reached& best) { return untangled(best, First::LAST); }, whatever};
-    const Attempt maximin{"maximin", [this](const Reached& best) { return needs_maximin(best); },
-                          [this](const Reached& best) { return maximized(best); }, if_better};
+    const auto always = [](const State&) { return true; };
+    const auto whatever = [](const State&, const State&) { return true; };
+    const auto if_better = [this](const State& a, const State& b) { return judge_.is_better(a, b); };
+    const auto if_good = [](const State& reached, const State&) { return reached.standing.is_good(); };
+    const auto is_inverted = [](const State& best) { return best.quality.inverted > 0; };
+    const auto is_unbounded = [this](const State& best) { return judge_.is_beyond_bound(best); };
+    const Attempt last_untangling{"untangling", [this](const State& best) { return is_tangled(best.quality); },
+                                  [this](const State& best) { return untangled(start(best), First::LAST); }, whatever};
+    const Attempt maximin{"maximin", [this](const State& best) { return needs_maximin(best); },
+                          [this](const State& best) { return maximized(start(best)); }, if_better};
     if (parameters_.method == Method::RECTIFICATION)
-      return {{"rectification", always, [this](const Reached&) { return rectified(parameters_.target_quality, 0); },
-               whatever}};
+      return {{"rectification", always, [this](const State&) { return rectified(parameters_.target_quality, 0); }, whatever}};
     if (parameters_.method == Method::MAXIMIZATION)
       return {last_untangling, maximin};
     return {
-      {"projection", [this](const Reached& best) { return is_off_reference(best.points); },
-       [this](const Reached& best) { return projected(best); },
-       [this](const Reached& reached, const Reached& best) { return is_as_good(reached.points, best.points); }},
-      {"untangling within the boundary", [this](const Reached& best) { return may_hold_boundary(best.points); },
-       [this](const Reached& best) { return untangled_within_boundary(best); }, if_better},
-      {"untangling where it is", [this](const Reached& best) { return tells_where_to_go(best.points); },
-       [this](const Reached& best) { return untangled(best, First::FIRST); }, if_better},
-      {"rectification", is_inverted, [this](const Reached&) { return rectified_and_untangled(); }, if_better},
-      {"interior point within the boundary", [this](const Reached& best) { return may_step_within_boundary(best.points); },
-       [this](const Reached& best) { return improved_within_boundary(best); },
-       [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
-      {"interior point", [this](const Reached& best) { return may_step_feasibly(best.points); },
-       [this](const Reached& best) { return improved_within(best); },
-       [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
+      {"projection", [this](const State& best) { return is_off_reference(best); },
+       [this](const State& best) { return projected(best.points); },
+       [this](const State& reached, const State& best) { return is_as_good(reached, best); }},
+      {"untangling within the boundary", [this](const State& best) { return may_hold_boundary(best); },
+       [this](const State& best) { return untangled_within_boundary(best.points); }, if_better},
+      {"untangling where it is", [this](const State& best) { return tells_where_to_go(best); },
+       [this](const State& best) { return untangled(start(best), First::FIRST); }, if_better},
+      {"rectification", is_inverted, [this](const State&) { return rectified_and_untangled(); }, if_better},
+      {"interior point within the boundary", [this](const State& best) { return may_step_within_boundary(best.quality); },
+       [this](const State& best) { return improved_within_boundary(start(best)); }, if_good},
+      {"interior point", [this](const State& best) { return may_step_feasibly(best.quality); },
+       [this](const State& best) { return improved_within(start(best)); }, if_good},
       maximin,
-      {"interior point on the surface", [this](const Reached& best) { return may_be_polished(best); },
-       [this](const Reached& best) { return improved_within(best); },
-       [this](const Reached& reached, const Reached&) { return is_feasible(reached.points); }},
-      {"rectified start", [this](const Reached& best) { return is_missed(best.points); },
-       [this](const Reached&) { return maximized(rectified_and_untangled()); }, if_better},
-      {"start within the bound", [this](const Reached& best) { return is_beyond_bound(best.points); },
-       [this](const Reached& best) { return reached_within_bound(best); }, if_better},
-      {"boundary as it came in", [this](const Reached& best) { return is_short_of_goals(best.points); },
-       [this](const Reached&) { return untangled_within_boundary({model_.points}); }, if_better},
-      {"search within the bound", [this](const Reached& best) { return may_raise_within_bound(best.points); },
-       [this](const Reached& best) { return raised_within_bound(best); }, if_better},
-      {"spare quality", [this](const Reached&) { return may_spend_quality(); },
-       [this](const Reached& best) { return spent(best); }, whatever},
+      {"interior point on the surface", [this](const State& best) { return may_be_polished(best); },
+       [this](const State& best) { return improved_within(start(best)); }, if_good},
+      {"rectified start", [this](const State& best) { return is_missed(best.standing); },
+       [this](const State&) { return maximized(rectified_and_untangled()); }, if_better},
+      {"start within the bound", is_unbounded, [this](const State&) { return reached_within_bound(); }, if_better},
+      {"boundary as it came in", [this](const State& best) { return is_short_of_goals(best); },
+       [this](const State&) { return untangled_within_boundary(model_.points); }, if_better},
+      {"search within the bound", [this](const State& best) { return may_raise_within_bound(best); },
+       [this](const State& best) { return raised_within_bound(start(best)); }, if_better},
+      {"spare quality", [this](const State&) { return may_spend_quality(); },
+       [this](const State& best) { return spent(best); }, whatever},
     };
   }
 
-  Status finish(const Reached& best)
+  static Reached start(const State& best) { return {best.points, best.end, best.is_maximized}; }
+
+  Status finish(const State& best)
   {
-    const double excess_before = excess(model_.points), excess_now = excess(best.points);
     samples_.reset();
-    report_.certify(model_.in_coordinates(best.points), excess_before, excess_now);
+    report_.certify(model_.in_coordinates(best.points), judge_.excess(model_.points), best.standing.excess);
     Status& status = report_.status;
     status.return_code = control_.is_stopped()
                            ? control_.return_code()
@@ -186,7 +195,6 @@ private:
 
   // --- When attempts are needed ---
 
-  bool has_bound() const { return std::isfinite(bound_); }
   bool is_exact() const { return parameters_.boundary_placement == Boundary_placement::ON_SURFACE; }
   double worth_raising_to() const
   {
@@ -194,72 +202,70 @@ private:
   }
 
   // Whether the mesh has to be brought to a reference.
-  bool is_off_reference(const Positions& points)
+  bool is_off_reference(const State& best) const
   {
-    return model_.reference_is_given && (excess(points) > 0 || sliding(points).away(points).in_all > 0);
+    return model_.reference_is_given && (best.standing.excess > 0 || best.standing.away.in_all > 0);
   }
 
   // Whether hexahedra are inverted, or nearly so: maximization does not lead away from there.
-  bool is_tangled(const Positions& points) const
+  bool is_tangled(const Mesh_quality& quality) const
   {
-    const Mesh_quality quality(mesh_.complex, points);
     return quality.inverted > 0 || quality.minimum < parameters_.untangling.untangled;
   }
 
   // Whether hexahedra are tangled, and the boundary is good enough to stay where it is.
-  bool may_hold_boundary(const Positions& points)
+  bool may_hold_boundary(const State& best) const
   {
-    return is_tangled(points) && !model_.reference_is_given &&
-           limit_of_held_boundary(mesh_.complex, points) >= parameters_.worth_holding_boundary &&
+    return is_tangled(best.quality) && !model_.reference_is_given &&
+           limit_of_held_boundary(mesh_.complex, best.points) >= parameters_.worth_holding_boundary &&
            std::any_of(model_.attachment.kind.begin(), model_.attachment.kind.end(),
                        [](Vertex_kind kind) { return kind != Vertex_kind::INTERIOR && kind != Vertex_kind::FIXED; });
   }
 
   // Whether hexahedra are tangled, and most of the mesh tells where they should be. Interfaces cross the whole mesh
   // (measured on a ball in a block: they end .087 edges off from a rectified start, and .113 edges untangled where they are).
-  bool tells_where_to_go(const Positions& points)
+  bool tells_where_to_go(const State& best)
   {
-    const std::size_t inverted = number_of_inverted(points);
-    const bool has_interface = boundary_samples().is_bounded() && !boundary_samples().is_bounded_everywhere();
-    return is_tangled(points) && !has_interface &&
-           double(inverted) <= parameters_.untangled_as_given * double(mesh_.complex.hexahedra.size());
+    const bool may_be_torn = samples().has_interface() && !judge_.has_bound();
+    return is_tangled(best.quality) && !may_be_torn &&
+           double(best.quality.inverted) <= parameters_.untangled_as_given * double(mesh_.complex.hexahedra.size());
   }
-
-  bool is_feasible(const Positions& points) { return standing_of(points).is_good(); }
 
   // Whether the mesh came in valid; one that has to be brought to a reference has to give way for that, unless its minimum is
   // limited anyway.
-  bool may_step_feasibly(const Positions& points) const
+  bool may_step_feasibly(const Mesh_quality& quality) const
   {
-    const Mesh_quality quality(mesh_.complex, points);
     return report_.status.before.number_of_invalid == 0 && quality.invalid == 0 &&
            (!model_.reference_is_given || is_limited(quality));
   }
 
   // Whether that is to begin with the interior: within a close bound, and where vertices stay on their surface, what moves
   // on the boundary is often held back, and hexahedra beside it are with it.
-  bool may_step_within_boundary(const Positions& points) const
+  bool may_step_within_boundary(const Mesh_quality& quality) const
   {
-    return may_step_feasibly(points) && !model_.reference_is_given && (has_bound() || is_exact());
+    return may_step_feasibly(quality) && !model_.reference_is_given && (judge_.has_bound() || is_exact());
   }
 
   // Whether the mesh misses what a fixed boundary may reach.
-  bool is_short_of_goals(const Positions& points)
+  bool is_short_of_goals(const State& best) const
   {
-    return !model_.reference_is_given && (!standing_of(points).is_good() || is_beyond_bound(points));
+    return !model_.reference_is_given && (!best.standing.is_good() || judge_.is_beyond_bound(best));
   }
 
   // Whether all vertices have come to their places on the surface, which has cost their hexahedra quality.
-  bool may_be_polished(const Reached& best) { return is_exact() && best.is_maximized && is_feasible(best.points); }
+  bool may_be_polished(const State& best) const
+  {
+    return is_exact() && best.is_maximized && best.standing.is_good();
+  }
 
   // Whether the minimum is to be raised while the boundary is loose. What was brought to its best within its boundary leaves
   // that only where it is poor.
-  bool needs_maximin(const Reached& best)
+  bool needs_maximin(const State& best) const
   {
-    const Mesh_quality quality(mesh_.complex, best.points);
+    const Mesh_quality& quality = best.quality;
     if (quality.inverted > 0)
       return false;
-    if (!standing_of(best.points).is_good())
+    if (!best.standing.is_good())
       return true;
     if (quality.minimum >= parameters_.target_quality)
       return false;
@@ -277,46 +283,42 @@ private:
   }
 
   // Whether what comes before quality is not met.
-  bool is_missed(const Positions& points)
+  bool is_missed(const Standing& standing) const
   {
-    return (has_bound() && excess(points) > 0) || (is_exact() && sliding(points).away(points).in_all > 0);
+    return (judge_.has_bound() && standing.excess > 0) || (is_exact() && standing.away.in_all > 0);
   }
-
-  bool is_beyond_bound(const Positions& points) { return has_bound() && !is_shown_within_bound(points); }
 
   // Whether a mesh is where it has to be, at hardly any cost of the minimum.
-  bool is_as_good(const Positions& points, const Positions& than)
+  bool is_as_good(const State& state, const State& than) const
   {
-    return standing_of(points).is_good() &&
-           Mesh_quality(mesh_.complex, points).minimum >=
-             Mesh_quality(mesh_.complex, than).minimum - parameters_.maximization.accepted_loss;
+    return state.standing.is_good() &&
+           state.quality.minimum >= than.quality.minimum - parameters_.maximization.accepted_loss;
   }
 
-  bool may_raise_within_bound(const Positions& points)
+  bool may_raise_within_bound(const State& best) const
   {
-    return has_bound() && !is_exact() && Mesh_quality(mesh_.complex, points).minimum < worth_raising_to() &&
-           is_shown_within_bound(points);
+    return judge_.has_bound() && !is_exact() && best.quality.minimum < worth_raising_to() &&
+           !judge_.is_beyond_bound(best);
   }
 
   // --- Attempts ---
 
-  Reached projected(const Reached& best) const
+  Reached projected(const Positions& points) const
   {
-    return {Projected_start(mesh_.complex, *model_.surface, model_.attachment)(best.points)};
+    return {Projected_start(mesh_.complex, *model_.surface, model_.attachment)(points)};
   }
 
   // Nothing of the boundary moves. Where the most is inverted, the interior tells nothing.
-  Reached untangled_within_boundary(const Reached& best)
+  Reached untangled_within_boundary(const Positions& points)
   {
     const Boundary_attachment held = held_boundary();
     attach(held, false);
     bind(std::numeric_limits<double>::infinity()); // what does not move is not beyond it either
-    Reached reached = best;
-    if (2 * number_of_inverted(best.points) > mesh_.complex.hexahedra.size())
+    Reached reached{points};
+    if (2 * number_of_inverted(points) > mesh_.complex.hexahedra.size())
       reached.points = harmonic_positions();
-    reached = untangled(reached, Untangling::Attempt::FIRST);
-    reached = maximized(reached);
-    bind(parameters_.maximum_deviation / model_.unit);
+    reached = maximized(untangled(reached, Untangling::Attempt::FIRST));
+    bind(bound_asked_for());
     return reached;
   }
 
@@ -367,7 +369,7 @@ private:
   Reached untangled(const Reached& best, Untangling::Attempt attempt)
   {
     Reached reached = best;
-    if (is_tangled(best.points) && !control_.check_time())
+    if (is_tangled(Mesh_quality(mesh_.complex, best.points)) && !control_.check_time())
       reached.end = untangle(reached.points, attempt);
     return reached;
   }
@@ -386,7 +388,7 @@ private:
       reached.end = maximization.run(reached.points, control_, parameters_.target_quality);
     };
     improve(model_.reference_is_given ? 1 / parameters_.boundary.trust : 1);
-    if (model_.reference_is_given && excess(reached.points) > 0 && !control_.check_time())
+    if (model_.reference_is_given && judge_.excess(reached.points) > 0 && !control_.check_time())
       improve(1);
     return reached;
   }
@@ -397,8 +399,8 @@ private:
     const Boundary_attachment held = held_boundary();
     attach(held, false);
     bind(std::numeric_limits<double>::infinity());
-    Reached reached = improved_within(best);
-    bind(parameters_.maximum_deviation / model_.unit);
+    const Reached reached = improved_within(best);
+    bind(bound_asked_for());
     return reached;
   }
 
@@ -415,13 +417,13 @@ private:
 
   // What comes back within the bound does not leave it: from the boundary as it came in, if that is within, or else from a
   // rectified start.
-  Reached reached_within_bound(const Reached&)
+  Reached reached_within_bound()
   {
-    if (!is_shown_within_bound(model_.points)) {
+    if (!judge_.is_shown_within_bound(model_.points)) {
       attach(model_.attachment, true);
       return maximized(rectified_and_untangled());
     }
-    Reached reached = untangled_within_boundary({model_.points});
+    Reached reached = untangled_within_boundary(model_.points);
     attach(model_.attachment, true);
     reached = untangled(reached, Untangling::Attempt::LAST);
     return improved_within(reached);
@@ -434,9 +436,9 @@ private:
     Reached reached = best;
     const Sliding held = sliding(reached.points);
     Raising_within_bound(mesh_.complex, model_.targets.lengths, *model_.surface, model_.attachment, held,
-                         boundary_samples(), parameters_.maximization.arrivals.search, parameters_.raising)
+                         samples(), parameters_.maximization.arrivals.search, parameters_.raising)
       .raise(
-        worth_raising_to(), [this](const Positions& raised) { return is_shown_within_bound(raised); },
+        worth_raising_to(), [this](const Positions& raised) { return judge_.is_shown_within_bound(raised); },
         [this] { return control_.check_time(); }, reached.points);
     return reached;
   }
@@ -444,33 +446,31 @@ private:
   // Whether the boundary is brought to a reference of its own, and neither a bound nor a quality is asked for.
   bool may_spend_quality()
   {
-    return boundary_samples().has_reference_of_its_own() && !std::isfinite(bound_) &&
+    return samples().has_reference_of_its_own() && !judge_.has_bound() &&
            !std::isfinite(parameters_.target_quality);
   }
 
   // What quality there is to spare goes into the largest deviation.
-  Reached spent(const Reached& best)
+  Reached spent(const State& best)
   {
-    Reached reached = best;
-    Mesh_quality quality(mesh_.complex, reached.points);
+    Reached reached = start(best);
+    Mesh_quality quality = best.quality;
     if (quality.minimum < parameters_.spare_above)
       return reached;
     // nor may a mesh that came in as good as it is to be get worse
-    const double least = (std::max)(parameters_.spare_above, standing_of(model_.points).is_good()
-                                                               ? Mesh_quality(mesh_.complex, model_.points).minimum
-                                                               : 0);
+    const double least = (std::max)(parameters_.spare_above, came_in_good_ ? report_.status.before.minimum : 0);
     double expected_loss = 0; // of the minimum
     for (std::size_t i = 0; i < parameters_.most_spared && !control_.check_time(); ++i) {
       const double largest =
         deviations(model_.faces, reached.points, *model_.surface, parameters_.measuring_spacing).all.maximum;
-      if (quality.invalid > 0 || quality.minimum - expected_loss < least || excess(reached.points) > 0 ||
+      if (quality.invalid > 0 || quality.minimum - expected_loss < least || stage_excess(reached.points) > 0 ||
           largest < parameters_.boundary.samples.still_distance)
         break;
       bind(parameters_.spared_deviation * largest);
       Positions points = reached.points;
       maximize(points);
-      const bool is_within = !(excess(points) > 0);
-      bind(parameters_.maximum_deviation / model_.unit);
+      const bool is_within = !(stage_excess(points) > 0);
+      bind(bound_asked_for());
       const Mesh_quality spent(mesh_.complex, points);
       if (!is_within || spent.invalid > 0 || spent.minimum < least ||
           spent.average < quality.average - parameters_.spared_average)
@@ -491,63 +491,20 @@ private:
 
   std::size_t number_of_inverted(const Positions& points) const { return Mesh_quality(mesh_.complex, points).inverted; }
 
-  Standing standing_of(const Positions& points)
-  {
-    const Mesh_quality quality(mesh_.complex, points);
-    return {quality.inverted, quality.invalid, excess(points), sliding(points).away(points)};
-  }
-
-  // Of two results.
-  bool is_better(const Positions& first, const Positions& second)
-  {
-    const Standing a = standing_of(first), b = standing_of(second);
-    if (a < b || b < a)
-      return a < b;
-    if (is_beyond_bound(first) != is_beyond_bound(second))
-      return is_beyond_bound(second);
-    return Mesh_quality(mesh_.complex, first).minimum > Mesh_quality(mesh_.complex, second).minimum;
-  }
-
   // The best state of any stage in the order of goals: what is written if the run ends now. Returns what is shown of it.
-  Run_control::Shown incumbent(const Positions& points, const Mesh_quality& quality)
+  // known_excess: of the points, where a stage has found it.
+  Run_control::Shown incumbent(const Positions& points, const Mesh_quality& quality, std::optional<double> known_excess)
   {
-    const auto is_behind = [&] {
-      return incumbent_.standing.is_good() && (quality.invalid > 0 || quality.minimum <= incumbent_.shown.minimum);
-    };
-    if (incumbent_.points.empty() || !is_behind()) {
-      const Standing standing{quality.inverted, quality.invalid, judged_excess(points), judged_away(points)};
+    const bool is_behind = incumbent_.standing.is_good() &&
+                           (quality.invalid > 0 || quality.minimum <= incumbent_.shown.minimum);
+    if (incumbent_.points.empty() || !is_behind) {
+      const Standing standing = judge_.standing(points, quality,
+                                                known_excess ? *known_excess : judge_.excess(points));
       if (incumbent_.points.empty() || standing < incumbent_.standing ||
           (!(incumbent_.standing < standing) && quality.minimum > incumbent_.shown.minimum))
         incumbent_ = {points, standing, {quality.inverted, quality.minimum, quality.average}};
     }
     return incumbent_.shown;
-  }
-
-  // With samples of its own: those of the stages go on undisturbed.
-  double judged_excess(const Positions& points)
-  {
-    if (!boundary_samples().has_tolerance())
-      return 0;
-    if (!judging_samples_)
-      judging_samples_.emplace(new_samples(model_.attachment, false));
-    judging_samples_->update(points, 1);
-    return judging_samples_->excess(points);
-  }
-
-  // With searches that go on from where the last have ended.
-  Away judged_away(const Positions& points)
-  {
-    if (!judging_sliding_)
-      judging_sliding_.emplace(*model_.surface, model_.attachment, parameters_.boundary_placement, points,
-                               mesh_.complex.ties);
-    judging_sliding_->notice(points);
-    return judging_sliding_->away(points);
-  }
-
-  // Everywhere: samples keep to a little less than the bound, and see nothing between them.
-  bool is_shown_within_bound(const Positions& points) const
-  {
-    return certified_deviation(model_.faces, points, *model_.surface, bound_, parameters_.certification).is_shown;
   }
 
   // What all stages attach the boundary with from now on. stays_within: they do not loosen the bound for a time.
@@ -557,6 +514,11 @@ private:
     stays_within_ = stays_within;
     samples_.reset();
   }
+
+  double bound_asked_for() const { return parameters_.maximum_deviation / model_.unit; }
+
+  // Whether stages attach and bound the boundary as the caller asks.
+  bool is_as_asked_for() const { return attachment_ == &model_.attachment && bound_ == bound_asked_for(); }
 
   // Adds the time of its life.
   class Timer
@@ -593,7 +555,7 @@ private:
     const Timer timer(control_, report_.status.untangling_seconds);
     Sliding held = sliding(points);
     held.let_go(); // within the surface, some do not untangle
-    return Untangling(mesh_.complex, boundary_samples(), distance_energy(), model_.targets.lengths, held,
+    return Untangling(mesh_.complex, samples(), distance_energy(), model_.targets.lengths, held,
                       parameters_.untangling)
       .run(points, control_, attempt);
   }
@@ -610,7 +572,7 @@ private:
 
   Maximization_problem maximization_problem(Sliding& held)
   {
-    return Maximization_problem(mesh_.complex, boundary_samples(), distance_energy(), model_.targets, model_.relations,
+    return Maximization_problem(mesh_.complex, samples(), distance_energy(), model_.targets, model_.relations,
                                 held, parameters_.maximization);
   }
 
@@ -628,31 +590,20 @@ private:
     return result;
   }
 
-  double excess(const Positions& points)
+  // Over what stages are bounded by now.
+  double stage_excess(const Positions& points)
   {
-    Boundary_samples& samples = boundary_samples();
-    if (samples.has_tolerance())
-      samples.update(points, 1);
-    return samples.excess(points);
+    if (samples().has_tolerance())
+      samples().update(points, 1);
+    return samples().excess(points);
   }
 
   // What untangling finds of the boundary, maximization goes on with.
-  Boundary_samples& boundary_samples()
+  Boundary_samples& samples()
   {
     if (!samples_)
-      samples_.emplace(new_samples(*attachment_, stays_within_));
+      samples_.emplace(boundary_samples(mesh_, model_, parameters_, *attachment_, bound_, stays_within_));
     return *samples_;
-  }
-
-  Boundary_samples new_samples(const Boundary_attachment& attachment, bool stays_within) const
-  {
-    // where all vertices are to be on the surface, those that are not are counted instead
-    const bool has_tolerance = model_.reference_is_given && !is_exact();
-    Boundary_sample_parameters of_samples = parameters_.boundary.samples;
-    if (stays_within)
-      of_samples.loosening = 0;
-    return Boundary_samples(mesh_.complex, model_.faces, *model_.surface, attachment, model_.targets.lengths,
-                            has_tolerance, bound_, of_samples);
   }
 
   Distance_energy distance_energy() const
@@ -665,11 +616,12 @@ private:
   const Checked_mesh mesh_;
   const Model model_;
   Report report_;
+  Judge judge_;
   double bound_; // of the deviation, in mean boundary edges
   const Boundary_attachment* attachment_ = &model_.attachment;
   bool stays_within_ = false; // the bound, which may be loosened for a time otherwise
-  std::optional<Boundary_samples> samples_, judging_samples_;
-  std::optional<Sliding> judging_sliding_;
+  std::optional<Boundary_samples> samples_;
+  bool came_in_good_ = false;
 
   struct Incumbent
   {

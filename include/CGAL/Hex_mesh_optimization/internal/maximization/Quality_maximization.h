@@ -96,7 +96,7 @@ public:
       if (!arrivals_.have_begun() || is_tight()) // what is on its way is no result
         best.offer(points, quality, excess_, looseness(quality), sliding_.away(points));
       add_to_progress(quality);
-      control.after_iteration(Stage::MAXIMIZATION, i, energy, points, quality);
+      control.after_iteration(Stage::MAXIMIZATION, i, energy, points, quality, excess_);
       if (is_tight() && !goes_on_after(i, best, quality, points))
         break;
     }
@@ -126,7 +126,7 @@ private:
   void start_maximin(std::size_t i, const Mesh_quality& quality)
   {
     phase_ = Phase::MAXIMIN;
-    boundary_.tightness = parameters_.start_tightness;
+    boundary_.tightness = samples_.is_held() ? 1 : parameters_.start_tightness;
     begun_ = i;
     const bool is_careful = samples_.is_bounded() || is_to_arrive_;
     maximin_ = Progress(quality, parameters_.climbing_gain,

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -58,16 +59,17 @@ public:
   };
 
   // Called with the state after each iteration, of any stage; returns what is shown for it. Not called if empty.
-  std::function<Shown(const Positions&, const Mesh_quality&)> on_state;
+  std::function<Shown(const Positions&, const Mesh_quality&, std::optional<double> excess)> on_state;
 
-  // Reports one iteration, and the points that it has reached. False when the run has to end; return_code() says why.
+  // Reports one iteration, and the points that it has reached. excess: of the boundary over what the stage tolerates, if that
+  // has found it. False when the run has to end; return_code() says why.
   bool after_iteration(Stage stage, std::size_t iteration, double energy, const Positions& points,
-                       const Mesh_quality& quality)
+                       const Mesh_quality& quality, std::optional<double> excess = std::nullopt)
   {
     ++iterations;
     Shown shown{quality.inverted, quality.minimum, quality.average};
     if (on_state)
-      shown = on_state(points, quality);
+      shown = on_state(points, quality, excess);
     if (on_iteration_ &&
         !on_iteration_({stage, iteration, energy, shown.inverted, shown.minimum, shown.average, seconds()})) {
       stop(Return_code::STOPPED_BY_VISITOR);
