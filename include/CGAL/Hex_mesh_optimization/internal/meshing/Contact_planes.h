@@ -29,6 +29,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Hex_mesh_optimization::internal {
@@ -132,19 +133,38 @@ private:
       }
     std::vector<int> open;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
-      if (is_member_[t]) {
-        planes_of_[static_cast<int>(t)].push_back(largest_[sets_.find(t)]);
+      if (is_member_[t])
         open.push_back(static_cast<int>(t));
-      }
     for (std::size_t i = 0; i < open.size(); ++i)
-      for (int other : neighbors[open[i]]) {
-        const int plane = planes_of_[open[i]][0];
-        if (is_member_[other] || !is_in_plane(other, plane))
-          continue;
-        is_member_[other] = true;
-        planes_of_[other].push_back(plane);
-        open.push_back(other);
-      }
+      for (int other : neighbors[open[i]])
+        if (is_member_[other])
+          join(open[i], other);
+        else if (is_in_plane(other, largest_[sets_.find(open[i])])) {
+          is_member_[other] = true;
+          unite(open[i], other, largest_[sets_.find(open[i])]);
+          open.push_back(other);
+        }
+    for (int t : open)
+      planes_of_[t].push_back(largest_[sets_.find(t)]);
+  }
+
+  // Several contacts in one plane of a part have that in common: a vertex between two of them cannot be in two planes
+  // that are nearly the same.
+  void join(int s, int t)
+  {
+    if (sets_.find(s) == sets_.find(t))
+      return;
+    int larger = largest_[sets_.find(s)], smaller = largest_[sets_.find(t)];
+    if (normal(larger).squaredNorm() < normal(smaller).squaredNorm())
+      std::swap(larger, smaller);
+    if (is_in_plane(smaller, larger))
+      unite(s, t, larger);
+  }
+
+  void unite(int s, int t, int largest)
+  {
+    sets_.unite(s, t);
+    largest_[sets_.find(s)] = largest;
   }
 
   Exact::Point_3 exact(int v) const { return Exact::Point_3(points_[v][0], points_[v][1], points_[v][2]); }
