@@ -147,8 +147,11 @@ TEST(Solid_of_surface, of_random_boxes_that_overlap_touch_or_coincide_is_their_u
 // A plate on four legs, flush with its sides, and a beam across it: turned, and rounded as in files of single precision.
 TEST(Solid_of_surface, of_parts_that_touch_but_for_rounding_is_one_body)
 {
-  for (double turn : {.2, .9, 2.3}) {
-    Reference_input soup = box(Vector_3(0, 0, .7), Vector_3(1, 1, .8));
+  for (double turn : {.2, .9, 2.3, 3.1, 4.2, 5.3}) {
+    Reference_input soup = turn < 3 ? box(Vector_3(0, 0, .7), Vector_3(1, 1, .8)) : surface_of(block(3));
+    if (turn > 3) // the plate has several faces on a side
+      for (Vector_3& p : soup.points)
+        p = Vector_3(p[0], p[1], .7 + .1 * p[2]);
     for (double x : {0., .9})
       for (double y : {0., .9})
         append(soup, box(Vector_3(x, y, 0), Vector_3(x + .1, y + .1, .7)));
@@ -199,6 +202,25 @@ TEST(Solid_of_surface, takes_a_dividing_wall_for_none)
   EXPECT_NEAR(solid.report.volume, 1, 1e-9);
   EXPECT_EQ(solid.report.euler_characteristic, 2);
   EXPECT_EQ(solid.report.number_of_faces_within, 8u);
+}
+
+TEST(Solid_of_surface, takes_a_wall_that_ends_within_faces_for_none_and_refuses_a_sheet_outside)
+{
+  for (double height : {.4, 1.4}) {
+    Reference_input soup = box(Vector_3(0, 0, 0), Vector_3(1, 1, 1));
+    const int n = static_cast<int>(soup.points.size());
+    soup.points.insert(soup.points.end(), {Vector_3(0, 0, height), Vector_3(1, 0, height), Vector_3(1, 1, height),
+                                           Vector_3(0, 1, height)});
+    soup.triangles.push_back({n, n + 1, n + 2});
+    soup.triangles.push_back({n, n + 2, n + 3});
+    if (height > 1)
+      EXPECT_THROW(Solid_of_surface(soup, 1000, 0), CGAL::Hex_mesh_optimization::Input_error);
+    else {
+      const Solid_of_surface solid(soup, 1000, 0);
+      EXPECT_NEAR(solid.report.volume, 1, 1e-9);
+      EXPECT_EQ(solid.report.number_of_faces_within, 2u);
+    }
+  }
 }
 
 TEST(Solid_of_surface, separates_bodies_that_touch_in_an_edge_or_vertex)

@@ -95,7 +95,8 @@ public:
   {
     require_finite();
     const double cell = spacing > 0 ? spacing : estimated_spacing(number);
-    const Soup_stitching stitched = closed(given, cell);
+    Soup_stitching stitched = closed(given, cell);
+    leave_out_walls(stitched);
     require_closed(stitched, cell);
     const double rounding = 3e-6 * bounding_diagonal(); // of parts that touch
     auto parts = std::make_unique<const Soup_parts>(stitched.points, stitched.triangles);
@@ -112,7 +113,7 @@ public:
     report.number_of_parts = parts->number_of_parts;
     report.number_of_reoriented_parts = parts->number_of_reoriented_parts;
     report.number_of_aligned_vertices = boundary.number_of_aligned;
-    report.number_of_faces_within = boundary.number_within + uncounted(*parts);
+    report.number_of_faces_within += boundary.number_within + uncounted(*parts);
     separate_bodies(boundary, stitched, cell);
     if (bodies.empty())
       throw Input_error(Input_error::Element::MESH, 0, "the surface bounds no volume");
@@ -165,6 +166,64 @@ private:
         return stitched;
     }
     return Soup_stitching(given.points, given.triangles, most * cell, cell);
+  }
+
+  // An open sheet within what the others bound divides it, and bounds nothing: it goes.
+  void leave_out_walls(Soup_stitching& stitched)
+  {
+    std::set<int> open; // vertices of holes
+    for (const Soup_stitching::Hole& hole : stitched.holes)
+      if (!hole.is_filled)
+        open.insert(hole.vertices.begin(), hole.vertices.end());
+    if (open.empty())
+      return;
+    Disjoint_sets sheets(stitched.triangles.size());
+    std::vector<int> borders; // a triangle at each
+    for_soup_edges(stitched.triangles, [&](auto first, auto last) {
+      if (last - first == 2)
+        sheets.unite(first->triangle, (first + 1)->triangle);
+      else if (last - first == 1)
+        borders.push_back(first->triangle);
+    });
+    std::set<std::size_t> walls;
+    for (int t : borders)
+      walls.insert(sheets.find(t));
+    std::vector<Triangle_indices> rest, within;
+    std::vector<int> origin;
+    for (std::size_t t = 0; t < stitched.triangles.size(); ++t)
+      if (walls.count(sheets.find(t)))
+        within.push_back(stitched.triangles[t]);
+      else {
+        rest.push_back(stitched.triangles[t]);
+        origin.push_back(stitched.origin[t]);
+      }
+    bool is_closed = !rest.empty();
+    for_soup_edges(rest, [&](auto first, auto last) { is_closed = is_closed && last - first > 1; });
+    if (!is_closed || !are_within(stitched.points, within, rest))
+      return;
+    stitched.triangles = std::move(rest);
+    stitched.origin = std::move(origin);
+    stitched.holes.erase(std::remove_if(stitched.holes.begin(), stitched.holes.end(),
+                                        [](const Soup_stitching::Hole& hole) { return !hole.is_filled; }),
+                         stitched.holes.end());
+    report.number_of_faces_within += within.size();
+  }
+
+  // As far as some of the triangles tell.
+  static bool are_within(const Positions& points, const std::vector<Triangle_indices>& triangles,
+                         const std::vector<Triangle_indices>& closed)
+  {
+    constexpr std::size_t most = 100;
+    const std::size_t step = triangles.size() / most + 1;
+    for (std::size_t t = 0; t < triangles.size(); t += step) {
+      const Vector_3 middle = (points[triangles[t][0]] + points[triangles[t][1]] + points[triangles[t][2]]) / 3;
+      double winding = 0;
+      for (const Triangle_indices& v : closed)
+        winding += solid_angle(middle, points[v[0]], points[v[1]], points[v[2]]);
+      if (std::abs(winding) < .5) // whatever way they are oriented
+        return false;
+    }
+    return true;
   }
 
   void require_closed(const Soup_stitching& stitched, double cell) const

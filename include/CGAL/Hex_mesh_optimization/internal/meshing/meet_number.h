@@ -24,8 +24,7 @@
 namespace CGAL::Hex_mesh_optimization::internal {
 
 // make(h): makes the mesh with that spacing and returns its number of hexahedra, or none if it is final whatever that
-// is.
-// The last one that is made is the nearest to the number that was found.
+// is. The last one that is made is the nearest to the number that was found.
 template <class Make>
 void meet_number(double h, double wanted, const Meshing_parameters& parameters, const Make& make)
 {
