@@ -66,12 +66,12 @@ public:
     status_.before = before.statistics;
     // as in one piece: what was tangled is brought to its best within its boundary, if that suffices
     const Optimization_parameters parameters;
-    const double worth_raising_to = (std::min)(parameters.maximization.floor.hold_limit, chosen_.target_quality);
+    worth_raising_to_ = (std::min)(parameters.maximization.floor.hold_limit, chosen_.target_quality);
     Quality_statistics now = before.statistics;
     const bool is_tangled = now.number_of_inverted > 0 || now.minimum < parameters.untangling.untangled;
     if (is_tangled) {
       hold_boundary();
-      smooth_tangled(mesh_, is_held_, parameters.untangling.untangled, parts_);
+      smooth_tangled(mesh_, is_held_, parameters.untangling.untangled, parts_, [this] { return is_over(); });
       was_tangled_ = true;
     }
     if (is_tangled && limit_of_held_boundary() >= parameters.worth_holding_boundary) {
@@ -81,7 +81,7 @@ public:
       holds_boundary_ = false;
       now = Distributed_quality(mesh_, mesh_.points).statistics;
     }
-    if (!is_tangled || now.minimum < worth_raising_to) {
+    if (!is_tangled || now.minimum < worth_raising_to_) {
       untangle();
       improve();
     }
@@ -172,8 +172,10 @@ private:
           const auto& vertices = mesh_.hexahedra[h];
           is_in[h] = is_in[h] &&
                      std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return pending[v]; });
-          if (round > 1 && quality.qualities[h] < now.minimum + parts_.near_worst &&
-              quality.qualities[h] > last[h] + parts_.least_gain)
+          const float q = quality.qualities[h];
+          const bool rises = round > 1 && q < now.minimum + parts_.near_worst && q > last[h] + parts_.least_gain;
+          // a boundary that is let go is another run of all of the mesh
+          if (rises || (round > 0 && holds_boundary_ && q < worth_raising_to_))
             is_in[h] = true;
           is_any = is_any || is_in[h];
           last[h] = quality.qualities[h];
@@ -433,6 +435,7 @@ private:
   Block_array<char> is_off_;     // of those: do not stand where they are to stand
   Block_array<char> is_held_;    // of those, while the boundary does not move
   bool was_tangled_ = false, holds_boundary_ = false;
+  double worth_raising_to_ = 0; // the minimum, though the boundary has to move for that
   int cut_ = 0;
   bool is_stopped_ = false, is_late_ = false;
   Status status_;

@@ -35,9 +35,10 @@ namespace CGAL::Hex_mesh_optimization::internal {
 
 // Vertices of hexahedra whose scaled Jacobian is below that come to the mean of their neighbors, sweep after sweep; what
 // has left the fewest of these hexahedra, and of those the best worst one of all that were tangled, is kept. is_held: of
-// the vertices of this rank. Collective.
-inline void smooth_tangled(Distributed_mesh& mesh, const Block_array<char>& is_held, double untangled,
-                           const Parts_parameters& parameters)
+// the vertices of this rank; is_over(): whether that is to be all. Collective.
+template <class Is_over>
+void smooth_tangled(Distributed_mesh& mesh, const Block_array<char>& is_held, double untangled,
+                    const Parts_parameters& parameters, const Is_over& is_over)
 {
   using Sum = std::array<std::int64_t, 3>;
   // sums of fixed point are the same in any order
@@ -78,6 +79,8 @@ inline void smooth_tangled(Distributed_mesh& mesh, const Block_array<char>& is_h
       lowest = now;
       since = 0;
     }
+    if (is_over())
+      break;
     Block_array<Sum> sums_nearby = mesh.new_array<Sum>(mesh.number_of_nearby());
     Block_array<Sum> sums = mesh.new_array<Sum>(mesh.points.size());
     const Distributed_mesh::Nearby<char> moves_nearby = mesh.nearby(moves);
