@@ -4,7 +4,13 @@
 #ifndef CGAL_HEX_MESH_OPTIMIZATION_TEST_RAW_VTU_H
 #define CGAL_HEX_MESH_OPTIMIZATION_TEST_RAW_VTU_H
 
-// Writes the .vtu files with raw appended data that are optimized in parts.
+// Meshes that are optimized in parts, and the .vtu files with raw appended data that they are in.
+
+#include <CGAL/Hex_mesh_optimization/hex_mesh_corruption.h>
+#include <CGAL/Hex_mesh_optimization/hex_mesh_generators.h>
+#include <CGAL/Hex_mesh_optimization/quality.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cstddef>
@@ -14,6 +20,26 @@
 #include <vector>
 
 namespace test {
+
+struct Labelled_mesh
+{
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::array<std::size_t, 8>> hexahedra;
+  std::vector<int> labels; // of the hexahedra, or none
+
+  CGAL::Hex_mesh_optimization::Quality_statistics statistics() const
+  {
+    return CGAL::Hex_mesh_optimization::quality_statistics(points, hexahedra);
+  }
+};
+
+inline Labelled_mesh tangled_ball(std::size_t n)
+{
+  Labelled_mesh mesh;
+  CGAL::Hex_mesh_optimization::make_ball(mesh.points, mesh.hexahedra, n);
+  CGAL::Hex_mesh_optimization::scramble_interior(mesh.points, mesh.hexahedra, 7, .6);
+  return mesh;
+}
 
 // labels: of the hexahedra, or none
 template <class Point>

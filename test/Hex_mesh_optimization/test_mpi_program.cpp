@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include "Folder_test.h"
 #include "raw_vtu.h"
 
 #include <gtest/gtest.h>
@@ -32,26 +33,12 @@ namespace HMO = CGAL::Hex_mesh_optimization;
 namespace fs = std::filesystem;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-struct Mesh
-{
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 8>> hexahedra;
-  std::vector<int> labels;
-};
+using Mesh = test::Labelled_mesh;
+using test::tangled_ball;
 
-// Each test runs in a folder of its own.
-class Mpi_program : public testing::Test
+class Mpi_program : public test::Folder_test
 {
 protected:
-  void SetUp() override
-  {
-    folder = fs::absolute(std::string("mpi_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-
-  void TearDown() override { fs::remove_all(folder); }
-
   // The exit code of a shell command, in which $RANKS n arguments starts the program.
   int shell(const std::string& command) const
   {
@@ -76,15 +63,6 @@ protected:
     return shell("(ranks " + std::to_string(number_of_ranks) + " " + arguments + ")");
   }
 
-  std::string file(const std::string& name) const { return (folder / name).string(); }
-  bool exists(const std::string& name) const { return fs::exists(folder / name); }
-
-  std::string bytes(const std::string& name) const
-  {
-    std::ifstream in(file(name), std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  }
-
   // name: less .vtu
   void write(const std::string& name, const Mesh& mesh) const
   {
@@ -97,17 +75,7 @@ protected:
     CGAL::IO::read_vtu_hex_mesh(file(name), mesh.points, mesh.hexahedra);
     return HMO::quality_statistics(mesh.points, mesh.hexahedra);
   }
-
-  fs::path folder;
 };
-
-Mesh tangled_ball(std::size_t n)
-{
-  Mesh mesh;
-  HMO::make_ball(mesh.points, mesh.hexahedra, n);
-  HMO::scramble_interior(mesh.points, mesh.hexahedra, 7, .6);
-  return mesh;
-}
 
 // The upper half has another label.
 Mesh tangled_block_of_two_materials(std::size_t n)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include "Folder_test.h"
 #include "raw_vtu.h"
 
 #include <gtest/gtest.h>
@@ -31,30 +32,12 @@ namespace HMO = CGAL::Hex_mesh_optimization;
 namespace fs = std::filesystem;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-struct Mesh
-{
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 8>> hexahedra;
-  std::vector<int> labels;
+using Mesh = test::Labelled_mesh;
+using test::tangled_ball;
 
-  HMO::Quality_statistics statistics() const { return HMO::quality_statistics(points, hexahedra); }
-};
-
-// Each test runs in a folder of its own.
-class Parts : public testing::Test
+class Parts : public test::Folder_test
 {
 protected:
-  void SetUp() override
-  {
-    folder = fs::absolute(std::string("parts_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-
-  void TearDown() override { fs::remove_all(folder); }
-
-  std::string file(const std::string& name) const { return (folder / name).string(); }
-
   void write(const Mesh& mesh) const { test::write_raw_vtu(file("in.vtu"), mesh.points, mesh.hexahedra, mesh.labels); }
 
   static HMO::Mesh_division division(int number_of_parts)
@@ -70,23 +53,7 @@ protected:
     CGAL::IO::read_vtu_hex_mesh(file("out.vtu"), mesh.points, mesh.hexahedra);
     return mesh;
   }
-
-  std::string bytes(const std::string& name) const
-  {
-    std::ifstream in(file(name), std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  }
-
-  fs::path folder;
 };
-
-Mesh tangled_ball(std::size_t n)
-{
-  Mesh mesh;
-  HMO::make_ball(mesh.points, mesh.hexahedra, n);
-  HMO::scramble_interior(mesh.points, mesh.hexahedra, 7, .6);
-  return mesh;
-}
 
 Mesh block(std::size_t n)
 {

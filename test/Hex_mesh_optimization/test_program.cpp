@@ -12,6 +12,8 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include "Folder_test.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -43,19 +45,9 @@ struct Mesh
   CGAL::IO::Hex_mesh_data mesh_data;
 };
 
-// Each test runs in a folder of its own.
-class Program : public testing::Test
+class Program : public test::Folder_test
 {
 protected:
-  void SetUp() override
-  {
-    folder = fs::absolute(std::string("program_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-
-  void TearDown() override { fs::remove_all(folder); }
-
   // The exit code of a shell command, in which $PROGRAM is the program.
   int shell(const std::string& command)
   {
@@ -66,8 +58,6 @@ protected:
   }
 
   int run(const std::string& arguments) { return shell("\"$PROGRAM\" " + arguments); }
-
-  bool exists(const std::string& name) const { return fs::exists(folder / name); }
 
   std::string text(const std::string& name) const
   {
@@ -108,8 +98,6 @@ protected:
     mesh.points[0] = Point(2, 2, 2);
     return mesh;
   }
-
-  fs::path folder;
 };
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
