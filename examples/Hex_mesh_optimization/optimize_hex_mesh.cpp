@@ -117,13 +117,7 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("METHOD")
     ->check(CLI::IsMember({"full", "rectification", "maximization"}))
     ->capture_default_str();
-  app
-    .add_option(
-      "--edge-lengths", o.edge_lengths,
-      "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
-    ->type_name("LENGTHS")
-    ->check(CLI::IsMember({"estimated", "input"}))
-    ->capture_default_str();
+  add_edge_lengths(app, o.edge_lengths);
   app.add_option("--iterations", o.iterations, "the most local-global iterations before target lengths are updated")
     ->type_name("N")
     ->check(count)
@@ -307,11 +301,6 @@ HMO::Method method(const Options& o)
                                        : HMO::Method::MAXIMIZATION;
 }
 
-HMO::Target_edge_lengths target_edge_lengths(const Options& o)
-{
-  return o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT : HMO::Target_edge_lengths::ESTIMATED;
-}
-
 HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Freedom& freedom, double time_limit,
                      Watcher& watcher)
 {
@@ -330,7 +319,7 @@ HMO::Status optimize(Mesh& mesh, const Input& input, const Options& o, const Fre
                     .maximum_running_time(time_limit)
                     .vertex_is_constrained_map(CGAL::make_boolean_property_map(fixed))
                     .optimization_method(method(o))
-                    .target_edge_lengths(target_edge_lengths(o))
+                    .target_edge_lengths(target_edge_lengths(o.edge_lengths))
                     .number_of_iterations(o.iterations)
                     .number_of_restarts(o.restarts);
   try {
@@ -659,7 +648,7 @@ Exit_code run_in_parts(const Options& o)
     const auto np = common_parameters(o, watcher)
                       .fixed_boundary(o.fixed_boundary)
                       .optimization_method(method(o))
-                      .target_edge_lengths(target_edge_lengths(o))
+                      .target_edge_lengths(target_edge_lengths(o.edge_lengths))
                       .number_of_iterations(o.iterations)
                       .number_of_restarts(o.restarts);
     status = in_threads(o.threads, [&] {

@@ -50,13 +50,7 @@ void add_options(CLI::App& app, Options& o)
                 "the cell array with the labels of the hexahedra (default: by its name)")
     ->type_name("NAME");
   app.add_flag("--fixed-boundary", o.fixed_boundary, "move no vertex of the boundary");
-  app
-    .add_option(
-      "--edge-lengths", o.edge_lengths,
-      "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
-    ->type_name("LENGTHS")
-    ->check(CLI::IsMember({"estimated", "input"}))
-    ->capture_default_str();
+  add_edge_lengths(app, o.edge_lengths);
   add_common_options(app, o);
 }
 
@@ -88,8 +82,7 @@ int run(const Options& o, int rank, int number_of_ranks)
     Watcher watcher(o.quiet || rank > 0);
     const auto np = common_parameters(o, watcher)
                       .fixed_boundary(o.fixed_boundary)
-                      .target_edge_lengths(o.edge_lengths == "input" ? HMO::Target_edge_lengths::INPUT
-                                                                     : HMO::Target_edge_lengths::ESTIMATED);
+                      .target_edge_lengths(target_edge_lengths(o.edge_lengths));
     status = in_threads(o.threads, [&] {
       return CGAL::optimize_hex_mesh_file_mpi<CGAL::Parallel_if_available_tag>(PETSC_COMM_WORLD, o.input, o.output,
                                                                                division, np);

@@ -100,6 +100,22 @@ inline void add_common_options(CLI::App& app, Common_options& o)
   app.set_version_flag("--version", CGAL_HEX_MESH_OPTIMIZATION_VERSION, "print the version of the package and exit");
 }
 
+inline void add_edge_lengths(CLI::App& app, std::string& lengths)
+{
+  app
+    .add_option(
+      "--edge-lengths", lengths,
+      "target lengths of edges: estimated from the boundary, or as in the input (for meshes graded on purpose)")
+    ->type_name("LENGTHS")
+    ->check(CLI::IsMember({"estimated", "input"}))
+    ->capture_default_str();
+}
+
+inline HMO::Target_edge_lengths target_edge_lengths(const std::string& lengths)
+{
+  return lengths == "input" ? HMO::Target_edge_lengths::INPUT : HMO::Target_edge_lengths::ESTIMATED;
+}
+
 // Adds them to those of one program. Numbers that are not finite become null.
 inline Json with_common_options(Json of_program, const Common_options& o)
 {
