@@ -20,7 +20,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/base/parallel.h>
 #include <CGAL/Hex_mesh_optimization/internal/boundary/Boundary_attachment.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Merit.h>
 #include <CGAL/Hex_mesh_optimization/internal/solver/Freedom.h>
 #include <CGAL/Hex_mesh_optimization/internal/surface/Reference_surface.h>
 

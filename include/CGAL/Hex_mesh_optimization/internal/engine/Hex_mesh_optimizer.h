@@ -40,7 +40,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/quality/Best_state.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Run_control.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Merit.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/Edge_cone_rectification.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/harmonic_start.h>
 #include <CGAL/Hex_mesh_optimization/internal/rectification/projected_start.h>
@@ -81,8 +81,8 @@ public:
       return incumbent(points, quality, is_as_asked_for() ? excess : std::nullopt);
     };
     State best{judge_.judged(model_.points)};
-    incumbent(best.points, best.quality, best.standing.excess);
-    came_in_good_ = best.standing.is_good();
+    incumbent(best.points, best.quality, best.merit.excess);
+    came_in_good_ = best.merit.is_good();
     for (const Attempt& attempt : attempts())
       if (!control_.check_time() && attempt.is_needed(best)) {
         const double begun = control_.seconds();
@@ -138,9 +138,9 @@ private:
     const auto always = [](const State&) { return true; };
     const auto whatever = [](const State&, const State&) { return true; };
     const auto if_better = [this](const State& a, const State& b) { return judge_.is_better(a, b); };
-    const auto if_good = [](const State& reached, const State&) { return reached.standing.is_good(); };
+    const auto if_good = [](const State& reached, const State&) { return reached.merit.is_good(); };
     const auto is_inverted = [](const State& best) { return best.quality.inverted > 0; };
-    const auto is_unbounded = [this](const State& best) { return judge_.is_beyond_bound(best); };
+    const auto is_beyond_bound = [this](const State& best) { return judge_.is_beyond_bound(best); };
     const Attempt last_untangling{"untangling", [this](const State& best) { return is_tangled(best.quality); },
                                   [this](const State& best) { return untangled(start(best), First::LAST); }, whatever};
     const Attempt maximin{"maximin", [this](const State& best) { return needs_maximin(best); },
@@ -165,9 +165,9 @@ private:
       maximin,
       {"interior point on the surface", [this](const State& best) { return may_be_polished(best); },
        [this](const State& best) { return improved_within(start(best)); }, if_good},
-      {"rectified start", [this](const State& best) { return is_missed(best.standing); },
+      {"rectified start", [this](const State& best) { return is_missed(best.merit); },
        [this](const State&) { return maximized(rectified_and_untangled()); }, if_better},
-      {"start within the bound", is_unbounded, [this](const State&) { return reached_within_bound(); }, if_better},
+      {"start within the bound", is_beyond_bound, [this](const State&) { return reached_within_bound(); }, if_better},
       {"boundary as it came in", [this](const State& best) { return is_short_of_goals(best); },
        [this](const State&) { return untangled_within_boundary(model_.points); }, if_better},
       {"search within the bound", [this](const State& best) { return may_raise_within_bound(best); },
@@ -182,7 +182,7 @@ private:
   Status finish(const State& best)
   {
     samples_.reset();
-    report_.certify(model_.in_coordinates(best.points), judge_.excess(model_.points), best.standing.excess);
+    report_.certify(model_.in_coordinates(best.points), judge_.excess(model_.points), best.merit.excess);
     Status& status = report_.status;
     status.return_code = control_.is_stopped()
                            ? control_.return_code()
@@ -204,7 +204,7 @@ private:
   // Whether the mesh has to be brought to a reference.
   bool is_off_reference(const State& best) const
   {
-    return model_.reference_is_given && (best.standing.excess > 0 || best.standing.away.in_all > 0);
+    return model_.reference_is_given && (best.merit.excess > 0 || best.merit.away.in_all > 0);
   }
 
   // Whether hexahedra are inverted, or nearly so: maximization does not lead away from there.
@@ -249,13 +249,13 @@ private:
   // Whether the mesh misses what a fixed boundary may reach.
   bool is_short_of_goals(const State& best) const
   {
-    return !model_.reference_is_given && (!best.standing.is_good() || judge_.is_beyond_bound(best));
+    return !model_.reference_is_given && (!best.merit.is_good() || judge_.is_beyond_bound(best));
   }
 
   // Whether all vertices have come to their places on the surface, which has cost their hexahedra quality.
   bool may_be_polished(const State& best) const
   {
-    return is_exact() && best.is_maximized && best.standing.is_good();
+    return is_exact() && best.is_maximized && best.merit.is_good();
   }
 
   // Whether the minimum is to be raised while the boundary is loose. What was brought to its best within its boundary leaves
@@ -265,7 +265,7 @@ private:
     const Mesh_quality& quality = best.quality;
     if (quality.inverted > 0)
       return false;
-    if (!best.standing.is_good())
+    if (!best.merit.is_good())
       return true;
     if (quality.minimum >= parameters_.target_quality)
       return false;
@@ -283,15 +283,15 @@ private:
   }
 
   // Whether what comes before quality is not met.
-  bool is_missed(const Standing& standing) const
+  bool is_missed(const Merit& merit) const
   {
-    return (judge_.has_bound() && standing.excess > 0) || (is_exact() && standing.away.in_all > 0);
+    return (judge_.has_bound() && merit.excess > 0) || (is_exact() && merit.away.in_all > 0);
   }
 
   // Whether a mesh is where it has to be, at hardly any cost of the minimum.
   bool is_as_good(const State& state, const State& than) const
   {
-    return state.standing.is_good() &&
+    return state.merit.is_good() &&
            state.quality.minimum >= than.quality.minimum - parameters_.maximization.accepted_loss;
   }
 
@@ -495,14 +495,14 @@ private:
   // known_excess: of the points, where a stage has found it.
   Run_control::Shown incumbent(const Positions& points, const Mesh_quality& quality, std::optional<double> known_excess)
   {
-    const bool is_behind = incumbent_.standing.is_good() &&
+    const bool is_behind = incumbent_.merit.is_good() &&
                            (quality.invalid > 0 || quality.minimum <= incumbent_.shown.minimum);
     if (incumbent_.points.empty() || !is_behind) {
-      const Standing standing = judge_.standing(points, quality,
+      const Merit merit = judge_.merit(points, quality,
                                                 known_excess ? *known_excess : judge_.excess(points));
-      if (incumbent_.points.empty() || standing < incumbent_.standing ||
-          (!(incumbent_.standing < standing) && quality.minimum > incumbent_.shown.minimum))
-        incumbent_ = {points, standing, {quality.inverted, quality.minimum, quality.average}};
+      if (incumbent_.points.empty() || merit < incumbent_.merit ||
+          (!(incumbent_.merit < merit) && quality.minimum > incumbent_.shown.minimum))
+        incumbent_ = {points, merit, {quality.inverted, quality.minimum, quality.average}};
     }
     return incumbent_.shown;
   }
@@ -626,7 +626,7 @@ private:
   struct Incumbent
   {
     Positions points;
-    Standing standing{};
+    Merit merit{};
     Run_control::Shown shown{};
   };
   Incumbent incumbent_;

@@ -25,7 +25,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/engine/Model.h>
 #include <CGAL/Hex_mesh_optimization/internal/engine/Optimization_parameters.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Merit.h>
 
 #include <cmath>
 #include <optional>
@@ -33,7 +33,7 @@
 namespace CGAL::Hex_mesh_optimization::internal {
 
 // With samples of the boundary of the mesh and of the reference. bound: of the deviation, in mean boundary edges.
-// stays_within: the bound is not loosened while the boundary is loosely attached. All but the numbers must outlive the
+// stays_within: the bound is not relaxed while the weight of the boundary is small. All but the numbers must outlive the
 // result.
 inline Boundary_samples boundary_samples(const Checked_mesh& mesh, const Model& model,
                                          const Optimization_parameters& parameters,
@@ -66,7 +66,7 @@ public:
   {
     Positions points;
     Mesh_quality quality;
-    Standing standing;
+    Merit merit;
     mutable std::optional<bool> is_shown_within_bound; // once asked for
   };
 
@@ -74,14 +74,14 @@ public:
   {
     samples_.reset(); // what has hardly moved would keep its target, and be judged by where the surface was near that
     const Mesh_quality quality(mesh_.complex, points);
-    Judged result{points, quality, standing(points, quality, excess(points)), {}};
+    Judged result{points, quality, merit(points, quality, excess(points)), {}};
     // samples keep to less than the bound: what is shown to be within is so
-    if (result.standing.excess > 0 && has_bound() && !samples_->has_interface() && !is_beyond_bound(result))
-      result.standing.excess = 0;
+    if (result.merit.excess > 0 && has_bound() && !samples_->has_interface() && !is_beyond_bound(result))
+      result.merit.excess = 0;
     return result;
   }
 
-  Standing standing(const Positions& points, const Mesh_quality& quality, double excess)
+  Merit merit(const Positions& points, const Mesh_quality& quality, double excess)
   {
     return {quality.inverted, quality.invalid, excess, away(points)};
   }
@@ -105,8 +105,8 @@ public:
   // Whether the first comes before the second in the order of goals.
   bool is_better(const Judged& first, const Judged& second) const
   {
-    if (first.standing < second.standing || second.standing < first.standing)
-      return first.standing < second.standing;
+    if (first.merit < second.merit || second.merit < first.merit)
+      return first.merit < second.merit;
     if (is_beyond_bound(first) != is_beyond_bound(second))
       return is_beyond_bound(second);
     return first.quality.minimum > second.quality.minimum;

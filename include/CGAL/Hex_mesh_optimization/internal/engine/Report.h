@@ -33,7 +33,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/mesh/hexahedron.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Jacobian_certificate.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/hexahedron_coordinates.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Merit.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/scaled_jacobian.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/volume.h>
 
@@ -233,9 +233,9 @@ private:
       excess_before = excess_over_bound(measured_deviations(mesh_.points).all);
       excess = excess_over_bound(status.deviation);
     }
-    const Standing before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before,
+    const Merit before{status.before.number_of_inverted, status.before.number_of_invalid, excess_before,
                           away(mesh_.points)};
-    const Standing now{status.after.number_of_inverted, status.after.number_of_invalid, excess, away(positions_)};
+    const Merit now{status.after.number_of_inverted, status.after.number_of_invalid, excess, away(positions_)};
     return before < now || (before.is_good() && status.after.minimum < status.before.minimum);
   }
 

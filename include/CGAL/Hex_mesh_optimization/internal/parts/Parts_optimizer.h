@@ -30,7 +30,7 @@
 #include <CGAL/Hex_mesh_optimization/internal/parts/Distributed_quality.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/coordinate_bisection.h>
 #include <CGAL/Hex_mesh_optimization/internal/parts/smooth_tangled.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Merit.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/limit_of_held_vertices.h>
 
 #include <algorithm>
@@ -107,7 +107,7 @@ private:
     };
     Quality_statistics now = measured();
     int in_vain = 0;
-    for (int round = 0; round < parts_.most_untangling_rounds && now.number_of_invalid > 0 && in_vain < 2 && !is_over();
+    for (int round = 0; round < parts_.most_rounds && now.number_of_invalid > 0 && in_vain < 2 && !is_over();
          ++round) {
       grow(is_in, (1 + in_vain) * parts_.layers);
       run_round(is_in, Goal::VALID);
@@ -154,7 +154,7 @@ private:
     Block_array<char> is_in = mesh_.new_array<char>(mesh_.number_of_own_hexahedra());
     Block_array<float> last = mesh_.new_array<float>(mesh_.number_of_own_hexahedra());
     Quality_statistics then;
-    for (int round = 0; round < parts_.most_improving_rounds && !is_over(); ++round) {
+    for (int round = 0; round < parts_.most_rounds && !is_over(); ++round) {
       const Distributed_quality quality(mesh_, mesh_.points);
       const Quality_statistics& now = quality.statistics;
       if (round > 1 &&
@@ -174,7 +174,7 @@ private:
                      std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return pending[v]; });
           const float q = quality.qualities[h];
           const bool rises = round > 1 && q < now.minimum + parts_.near_worst && q > last[h] + parts_.least_gain;
-          // a boundary that is let go is another run of all of the mesh
+          // while the boundary is held, poor hexahedra are worth a round: without that all of the mesh is run again
           if (rises || (round > 0 && holds_boundary_ && q < worth_raising_to_))
             is_in[h] = true;
           is_any = is_any || is_in[h];
@@ -366,7 +366,7 @@ private:
     const auto excess = [&](const Deviations& d) {
       return std::isfinite(bound) ? (std::max)(0., d.all.certified / bound - 1) : 0.;
     };
-    const Standing then{before.statistics.number_of_inverted, before.statistics.number_of_invalid, 0, {}},
+    const Merit then{before.statistics.number_of_inverted, before.statistics.number_of_invalid, 0, {}},
       now{after.statistics.number_of_inverted, after.statistics.number_of_invalid, excess(measured), {}};
     bool has_moved = false;
     for (std::size_t v = 0; v < mesh_.points.size(); ++v)

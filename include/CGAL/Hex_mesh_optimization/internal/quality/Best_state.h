@@ -16,7 +16,7 @@
 
 #include <CGAL/Hex_mesh_optimization/internal/base/Vector_3.h>
 #include <CGAL/Hex_mesh_optimization/internal/quality/Mesh_quality.h>
-#include <CGAL/Hex_mesh_optimization/internal/quality/Standing.h>
+#include <CGAL/Hex_mesh_optimization/internal/quality/Merit.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,24 +27,24 @@ namespace CGAL::Hex_mesh_optimization::internal {
 enum class Protection { OF_WHAT_IS_GOOD, NONE };
 
 // The first of these that differs decides which of two states is better:
-//   1. their standings,
+//   1. their merits,
 //   2. how loosely the boundary is attached, where the stage varies that,
 //   3. the later one, unless its minimum falls behind the highest of those states by more than is accepted.
 // And a mesh that came in valid, with its boundary where it is to be, never gets a lower minimum, unless it is unprotected.
 class Best_state
 {
 public:
-  // Accepted is a minimum down to part · highest − loss. excess and away: as in Standing. looseness: the greater, the
+  // Accepted is a minimum down to part · highest − loss. excess and away: as in Merit. looseness: the greater, the
   // looser.
   Best_state(const Positions& points, const Mesh_quality& quality, double accepted_part, double accepted_loss,
              double excess = 0, double looseness = 0, const Away& away = Away(),
              Protection protection = Protection::OF_WHAT_IS_GOOD)
     : points_(points)
-    , standing_{quality.inverted, quality.invalid, excess, away}
+    , merit_{quality.inverted, quality.invalid, excess, away}
     , looseness_(looseness)
     , minimum_(quality.minimum)
     , highest_minimum_(quality.minimum)
-    , least_minimum_(protection == Protection::OF_WHAT_IS_GOOD && standing_.is_good() ? quality.minimum : -1)
+    , least_minimum_(protection == Protection::OF_WHAT_IS_GOOD && merit_.is_good() ? quality.minimum : -1)
     , accepted_part_(accepted_part)
     , accepted_loss_(accepted_loss)
   {}
@@ -52,16 +52,16 @@ public:
   void offer(const Positions& points, const Mesh_quality& quality, double excess = 0, double looseness = 0,
              const Away& away = Away())
   {
-    const Standing standing{quality.inverted, quality.invalid, excess, away};
-    const bool is_worse = standing_ < standing || (!(standing < standing_) && looseness > looseness_);
+    const Merit merit{quality.inverted, quality.invalid, excess, away};
+    const bool is_worse = merit_ < merit || (!(merit < merit_) && looseness > looseness_);
     if (is_worse || quality.minimum < least_minimum_)
       return;
-    if (standing < standing_ || looseness < looseness_)
+    if (merit < merit_ || looseness < looseness_)
       highest_minimum_ = quality.minimum;
     else if (quality.minimum < accepted_part_ * highest_minimum_ - accepted_loss_)
       return;
     points_ = points;
-    standing_ = standing;
+    merit_ = merit;
     looseness_ = looseness;
     minimum_ = quality.minimum;
     highest_minimum_ = (std::max)(highest_minimum_, quality.minimum);
@@ -71,16 +71,16 @@ public:
   // is not worse than it follows.
   void reassess(double excess)
   {
-    standing_.excess = excess;
+    merit_.excess = excess;
     highest_minimum_ = minimum_;
   }
 
-  bool reaches(double target) const { return standing_.is_good() && minimum_ >= target; }
+  bool reaches(double target) const { return merit_.is_good() && minimum_ >= target; }
 
   const Positions& points() const { return points_; }
-  std::size_t inverted() const { return standing_.inverted; }
-  std::size_t invalid() const { return standing_.invalid; }
-  double excess() const { return standing_.excess; }
+  std::size_t inverted() const { return merit_.inverted; }
+  std::size_t invalid() const { return merit_.invalid; }
+  double excess() const { return merit_.excess; }
   double minimum() const { return minimum_; }
   // Of the states that differ in the minimum only.
   double highest_minimum() const { return highest_minimum_; }
@@ -90,7 +90,7 @@ public:
 
 private:
   Positions points_;
-  Standing standing_;
+  Merit merit_;
   double looseness_, minimum_, highest_minimum_;
   const double least_minimum_, accepted_part_, accepted_loss_;
 };

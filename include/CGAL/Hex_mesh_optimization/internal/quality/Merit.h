@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Hex_mesh_optimization authors
 
-#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H
-#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H
+#ifndef CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_MERIT_H
+#define CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_MERIT_H
 
 #include <CGAL/license/Hex_mesh_optimization.h>
 
@@ -27,7 +27,7 @@ struct Away
   std::size_t in_all = 0;
 };
 
-struct Standing
+struct Merit
 {
   std::size_t inverted, invalid; // hexahedra
   double excess;                 // of the boundary over what is tolerated, at its worst place; 0 within the tolerance
@@ -38,7 +38,7 @@ struct Standing
 
 // Whether the first comes before the second: the fewest inverted hexahedra, the fewest invalid ones, the least excess,
 // the fewest vertices away from corners, and from curves and faces where those are exact.
-inline bool operator<(const Standing& a, const Standing& b)
+inline bool operator<(const Merit& a, const Merit& b)
 {
   return std::tie(a.inverted, a.invalid, a.excess, a.away.off_surface, a.away.in_all) <
          std::tie(b.inverted, b.invalid, b.excess, b.away.off_surface, b.away.in_all);
@@ -46,4 +46,4 @@ inline bool operator<(const Standing& a, const Standing& b)
 
 } // namespace CGAL::Hex_mesh_optimization::internal
 
-#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_STANDING_H
+#endif // CGAL_HEX_MESH_OPTIMIZATION_INTERNAL_QUALITY_MERIT_H
